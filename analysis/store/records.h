@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace obscura::analysis {
+
+/// What a row is worth: only `participant` rows enter an analysis of participants.
+enum class Kind { kParticipant, kPractice, kCatch, kSimulated };
+
+/// Where a session stands. Only a completed one uses up its row of the order.
+enum class SessionState { kOpen, kCompleted, kAbandoned };
+
+/// Who took part, as the form asks it.
+struct ParticipantRecord {
+    std::string participant_id;         ///< unique, made by the program
+    Kind kind = Kind::kParticipant;     ///< participant or simulated
+    std::optional<int> age_years;       ///< 1 to 120
+    std::string gender;                 ///< free text; empty: not said
+    std::optional<bool> normal_vision;  ///< normal or corrected to normal
+    std::optional<bool> naive;          ///< does not know what the study is about
+    bool consent = false;
+    std::string created_utc;  ///< ISO 8601 with Z
+};
+
+/// One participant's way through a study, and what it ran on.
+struct SessionRecord {
+    std::string session_id;  ///< unique, made by the program
+    std::string participant_id;
+    Kind kind = Kind::kParticipant;
+    std::string study;
+    std::string study_sha256;
+    std::string order;               ///< latin-square, williams, random, fixed
+    std::uint64_t seed = 0;          ///< of the study
+    std::uint64_t slot = 0;          ///< stimuli::SessionOrder::slot
+    std::uint64_t latin_square = 0;  ///< from 0
+    int latin_row = 0;               ///< from 0
+    bool swapped = false;
+    int condition_count = 0;  ///< trials that complete the session
+    SessionState state = SessionState::kOpen;
+    std::string started_utc;
+    std::string ended_utc;  ///< empty while open
+    std::string software;   ///< name and version
+    std::string operating_system;
+    std::string gpu_renderer;
+    std::string display;      ///< monitor's name, resolution, refresh rate
+    double refresh_hz = 0.0;  ///< 0: unknown
+};
+
+/// One answer, with all that was shown and when. Times come from one monotonic clock.
+struct TrialRecord {
+    std::string session_id;
+    Kind kind = Kind::kParticipant;
+    int trial_index = 0;  ///< from 0, in order of showing
+    std::string condition;
+    std::string hypothesis;
+    std::string scene;
+    std::string validity;
+    std::string condition_A;  ///< variant name of side A, e.g. Crytek24
+    std::string condition_B;
+    char first_shown = 'A';        ///< 'A' or 'B'
+    bool response_first = false;   ///< the image shown first was chosen
+    bool is_A_selected = false;    ///< follows from the two above; the store checks it
+    double response_time_s = 0.0;  ///< question onset to answer
+    double first_onset_s = 0.0;    ///< since the session began
+    double second_onset_s = 0.0;
+    double question_onset_s = 0.0;
+    double first_view_ms = 0.0;
+    double second_view_ms = 0.0;
+    double grey_ms_measured = 0.0;
+    int dropped_frames = 0;
+    std::string first_sha256;  ///< of the PNG shown first
+    std::string second_sha256;
+    std::string answered_utc;
+};
+
+/// Anything else worth knowing about a session: started, resumed, left by the operator ...
+struct EventRecord {
+    std::string session_id;  ///< empty: not of a session
+    std::string time_utc;
+    std::string name;
+    std::string detail;
+};
+
+}  // namespace obscura::analysis

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/store/records.h"
+
+namespace obscura::analysis {
+
+/// The response store: participants, sessions, trials, events in SQLite (or PostgreSQL) through
+/// SOCI. Every change is one transaction that is on the disk (WAL, synchronous FULL) when the call
+/// returns; a call that throws has changed nothing. Errors are base::Error: bad input for a URL or
+/// file that is no such store, a newer schema or a read-only place; failure for a full disk.
+class Store {
+  public:
+    enum class Access {
+        kReadWrite,  ///< opens or makes the store, migrates an older schema
+        kReadOnly,   ///< must exist with the current schema; is not changed
+    };
+
+    /// `url` is sqlite3://FILE or postgresql://...
+    Store(const std::string& url, Access access);
+    ~Store();
+    Store(Store&&) noexcept;
+    Store& operator=(Store&&) noexcept;
+
+    /// Both rows and the event `session started`, in one transaction.
+    void begin_session(const ParticipantRecord& participant, const SessionRecord& session);
+
+    /// One answer. Refuses one for a session that is not open or an index already answered.
+    void add_trial(const TrialRecord& trial);
+    void add_event(const EventRecord& event);
+
+    /// Marks it completed; refuses unless condition_count trials are there.
+    void complete_session(const std::string& session_id, const std::string& ended_utc);
+    /// Marks it abandoned, with the reason as an event.
+    void abandon_session(const std::string& session_id, const std::string& ended_utc,
+                         const std::string& reason);
+
+    /// Sessions of that study and kind still open, oldest first: those that were cut off.
+    [[nodiscard]] std::vector<SessionRecord> open_sessions(const std::string& study, Kind kind);
+    /// Slots of the order that completed and open sessions of that study, seed and kind hold.
+    [[nodiscard]] std::vector<std::uint64_t> taken_slots(const std::string& study,
+                                                         std::uint64_t seed, Kind kind);
+
+    [[nodiscard]] std::vector<ParticipantRecord> participants();
+    [[nodiscard]] std::vector<SessionRecord> sessions();
+    /// By session, then trial_index.
+    [[nodiscard]] std::vector<TrialRecord> trials();
+    [[nodiscard]] std::vector<TrialRecord> trials_of(const std::string& session_id);
+    [[nodiscard]] std::vector<EventRecord> events();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace obscura::analysis

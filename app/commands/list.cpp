@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/list.h"
+
+namespace obscura::app {
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> list = {};
+    return list;
+}
+
+}  // namespace obscura::app

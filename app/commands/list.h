@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "app/commands/command.h"
+
+namespace obscura::app {
+
+/// All commands, in the order of the help.
+[[nodiscard]] const std::vector<Command>& commands();
+
+}  // namespace obscura::app

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderer/light/environment.h"
+
+namespace obscura::renderer {
+
+/// Parallel light, as from the sun.
+struct DirectionalLight {
+    glm::vec3 towards_light{0.0F, 1.0F, 0.0F};  ///< unit length, from the surface to the light
+    glm::vec3 irradiance{1.0F};  ///< linear Rec. 709, on a surface that faces the light; pi makes a
+                                 ///< white diffuse surface 1
+};
+
+/// Tone mapping after Reinhard et al. 2002, equation 4, on luminance.
+struct ToneMapping {
+    float exposure = 1.0F;  ///< factor before the curve, > 0
+    float white = 4.0F;     ///< luminance (after exposure) that becomes display white, > 0
+};
+
+/// All the light of a scene. What is absent costs nothing: no environment means constant ambient
+/// light, no tone mapping means values above 1 are clipped.
+struct Lighting {
+    glm::vec3 ambient{1.0F};     ///< radiance from everywhere, used where there is no environment
+    glm::vec3 background{1.0F};  ///< linear colour of empty pixels, where there is no environment
+    std::shared_ptr<const Environment> environment;  ///< irradiance and skybox
+    std::vector<DirectionalLight> lights;            ///< each casts shadows
+    bool normal_mapping = false;
+    std::optional<ToneMapping> tone_mapping;
+};
+
+}  // namespace obscura::renderer

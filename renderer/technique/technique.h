@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obscura::renderer {
+
+/// One number that shapes a technique. Command line, study file, help and shader all read this.
+/// In the shader it is the uniform `p_<name>`.
+struct Parameter {
+    std::string name;       ///< as in a study file, with its unit where it has one: radius_m
+    std::string meaning;    ///< one sentence
+    std::string unit;       ///< m, or what it is a fraction of; empty for a pure number
+    double low = 0.0;       ///< smallest allowed
+    double high = 1.0;      ///< largest allowed
+    double standard = 0.0;  ///< the default, from the technique's source
+};
+
+/// How many samples a technique takes; 0 to 0 for one that takes none.
+struct SampleRange {
+    int low = 0;
+    int high = 0;
+    int standard = 0;
+    int multiple_of = 1;
+};
+
+/// One way to compute ambient occlusion: what it reads and what can be set.
+struct Technique {
+    std::string name;      ///< in files and on the command line
+    std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
+    std::string citation;  ///< the definition's source
+    std::string shader;    ///< file in renderer/technique/; empty: accessibility is 1, no pass
+    bool reads_depth = false;
+    bool reads_normal = false;
+    SampleRange samples;
+    int fetches_per_sample = 0;  ///< depth-buffer reads each sample may make
+    std::vector<Parameter> parameters;
+
+    [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
+};
+
+/// All techniques, in the order of the documentation.
+[[nodiscard]] const std::vector<Technique>& techniques();
+
+/// The technique of that name, or nullptr.
+[[nodiscard]] const Technique* find_technique(std::string_view name);
+
+/// A technique with its settings; parameters not named take their standard value.
+struct TechniqueChoice {
+    std::string technique = "none";
+    int samples = 0;
+    std::map<std::string, double> parameters;
+    std::string denoise = "none";
+
+    /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
+    [[nodiscard]] std::string variant_name() const;
+    /// The set value or the descriptor's standard. The parameter must exist.
+    [[nodiscard]] double value_of(const Parameter& parameter) const;
+};
+
+/// Everything wrong with a choice, one sentence each naming the key, the value and what is allowed;
+/// empty when it can be rendered.
+struct ChoiceProblem {
+    std::string key;      ///< technique, samples, denoise or a parameter's name
+    std::string message;  ///< value met and what is allowed
+};
+[[nodiscard]] std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice);
+
+}  // namespace obscura::renderer

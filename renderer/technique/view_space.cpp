@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/technique/view_space.h"
+
+namespace obscura::renderer {
+
+std::vector<Parameter> view_space_parameters() {
+    // The thesis gives no values for its "artistic variables" (4.3.2.3); these are Obscura's.
+    return {
+        {"radius_m", "Distance to which surfaces are taken into account", "m", 0.0, 1000.0, 0.5},
+        {"full_threshold_m", "A depth difference below this does not occlude", "m", 0.0, 1000.0,
+         0.02},
+        {"no_threshold_m", "A depth difference above this does not occlude", "m", 0.0, 10000.0,
+         2.0},
+        {"power", "Exponent of the accessibility of one occluded sample", "", 0.0, 64.0, 4.0},
+    };
+}
+
+}  // namespace obscura::renderer

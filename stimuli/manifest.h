@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "stimuli/study.h"
+
+namespace obscura::stimuli {
+
+/// One stimulus image as it was made.
+struct ManifestImage {
+    std::string file;    ///< relative to the manifest's folder, CONDITION-a.png
+    std::string sha256;  ///< of the file's bytes
+    std::string condition;
+    std::string side;  ///< a or b
+    std::string scene;
+    std::string validity;
+    std::string technique;
+    int samples = 0;
+    std::map<std::string, double> parameters;  ///< every parameter, those at their default too
+    std::string denoise;
+    int width = 0;
+    int height = 0;
+    std::vector<std::string> passes;
+    double milliseconds = 0.0;  ///< of all passes
+    std::string
+        inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
+};
+
+/// `manifest.json` of a study's folder of stimuli.
+struct Manifest {
+    std::string study;
+    std::uint64_t seed = 0;
+    std::string gpu_renderer;
+    std::vector<ManifestImage> images;
+
+    /// The entry of that condition and side ("a" or "b"), or nullptr.
+    [[nodiscard]] const ManifestImage* find(const std::string& condition,
+                                            const std::string& side) const;
+};
+
+/// Reads manifest.json. Throws bad input naming the file and what is wrong in it.
+[[nodiscard]] Manifest load_manifest(const std::filesystem::path& file);
+
+/// Writes it atomically, images ordered as given.
+void save_manifest(const std::filesystem::path& file, const Manifest& manifest);
+
+/// DATA/stimuli/STUDY
+[[nodiscard]] std::filesystem::path stimuli_folder(const std::filesystem::path& data,
+                                                   const Study& study);
+
+/// Everything that keeps a study from being shown, a sentence each naming the file: no manifest,
+/// an image missing, its bytes not those of the manifest (SHA-256), its size not the study's.
+/// Empty when every image of the study is ready.
+[[nodiscard]] std::vector<std::string> problems_of_stimuli(const Study& study,
+                                                           const std::filesystem::path& folder);
+
+}  // namespace obscura::stimuli

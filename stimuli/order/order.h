@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace obscura::stimuli {
+
+/// How conditions are ordered over participants.
+enum class OrderKind {
+    kLatinSquare,  ///< a random Latin square, as in the thesis
+    kWilliams,     ///< balanced for first-order carry-over
+    kRandom,       ///< a random permutation for each participant
+    kFixed,        ///< the order of the study file
+};
+
+inline constexpr std::array kOrderKinds{OrderKind::kLatinSquare, OrderKind::kWilliams,
+                                        OrderKind::kRandom, OrderKind::kFixed};
+
+/// `latin-square`, `williams`, `random`, `fixed`, as in files.
+[[nodiscard]] std::string_view to_string(OrderKind kind);
+[[nodiscard]] std::optional<OrderKind> order_kind_from(std::string_view name);
+
+/// Rows of condition indices 0 .. n-1.
+using Square = std::vector<std::vector<int>>;
+
+/// What one participant sees.
+struct SessionOrder {
+    std::uint64_t slot = 0;          ///< which completed session this is, from 0
+    std::uint64_t latin_square = 0;  ///< which square, from 0
+    int latin_row = 0;               ///< row of that square, from 0
+    bool swapped = false;            ///< B is shown first in every pair
+    std::vector<int> conditions;     ///< indices into the study's conditions, in order of showing
+};
+
+/// The order for a slot. The same kind, count, seed and slot give the same order everywhere.
+/// `condition_count` must be at least 1.
+[[nodiscard]] SessionOrder session_order(OrderKind kind, int condition_count, std::uint64_t seed,
+                                         std::uint64_t slot);
+
+/// How many slots make a block in which everything balances: rows of the square times two.
+[[nodiscard]] std::uint64_t block_size(OrderKind kind, int condition_count);
+
+/// The smallest slot that is not among those taken; a session broken off takes none.
+[[nodiscard]] std::uint64_t next_slot(const std::vector<std::uint64_t>& taken);
+
+}  // namespace obscura::stimuli

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/scenes/builtin_scene.h"
+
+namespace obscura::stimuli {
+
+const std::vector<BuiltinScene>& builtin_scenes() {
+    static const std::vector<BuiltinScene> list = {};
+    return list;
+}
+
+const BuiltinScene* find_builtin_scene(std::string_view id) {
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        if (scene.id == id) return &scene;
+    }
+    return nullptr;
+}
+
+}  // namespace obscura::stimuli

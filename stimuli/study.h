@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/technique/technique.h"
+#include "stimuli/order/order.h"
+#include "stimuli/validity.h"
+
+namespace obscura::stimuli {
+
+/// A scene as a study uses it.
+struct StudyScene {
+    std::string id;
+    std::string source;  ///< a built-in scene
+    std::string camera;
+    Validity validity = Validity::kLow;
+};
+
+/// One stimulus pair.
+struct Condition {
+    std::string id;
+    std::string scene;       ///< id of a StudyScene
+    std::string hypothesis;  ///< H1, H2, ...; may be empty
+    renderer::TechniqueChoice a;
+    renderer::TechniqueChoice b;
+};
+
+/// All that a study file says, checked.
+struct Study {
+    std::string name;
+    std::string title;
+    std::string question;
+    std::string instructions;
+    int width = 1280;
+    int height = 720;
+    int grey_ms = 2000;
+    int grey_level = 128;
+    OrderKind order = OrderKind::kLatinSquare;
+    std::uint64_t seed = 0;
+    std::vector<StudyScene> scenes;
+    std::vector<Condition> conditions;
+    std::string sha256;  ///< of the file's bytes
+
+    [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
+    /// The condition of that id, or nullptr.
+    [[nodiscard]] const Condition* find_condition(std::string_view id) const;
+};
+
+/// Something wrong with a study file.
+struct StudyProblem {
+    int line = 0;         ///< from 1; 0 where the whole file is meant
+    std::string message;  ///< key, value met, what is allowed
+};
+
+/// Everything wrong with the text of a study file, ordered by line; empty when it can be run.
+[[nodiscard]] std::vector<StudyProblem> problems_of_study(std::string_view text);
+
+/// Parses and checks. `name` stands for the text in messages. Throws bad input that lists every
+/// problem as `name:line: message`.
+[[nodiscard]] Study parse_study(std::string_view text, const std::string& name);
+
+/// The study in the file, or the built-in study of that name (`jakobsen2010`, also for "").
+[[nodiscard]] Study load_study(const std::string& file_or_name);
+
+}  // namespace obscura::stimuli
