@@ -5,7 +5,10 @@
 namespace obscura::app {
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> list = {};
+    static const std::vector<Command> list = {
+        check_command(),
+        plan_command(),
+    };
     return list;
 }
 
