@@ -7,6 +7,8 @@ namespace obscura::app {
 const std::vector<Command>& commands() {
     static const std::vector<Command> list = {
         render_command(),
+        plan_command(),
+        check_command(),
     };
     return list;
 }
