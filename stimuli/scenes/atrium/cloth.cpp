@@ -65,8 +65,8 @@ vec3 drape_point(const Drape& drape, float u, float v) {
 
 void put_drape(Site& site, const Drape& drape, const vec3& dye, const glm::mat4& frame) {
     PatchOptions options;
-    options.columns = drape.folds * 9;
-    options.rows = 44;
+    options.columns = drape.folds * 8;
+    options.rows = 34;
     options.size_m = {drape.width * 1.5F, drape.height};
     // u runs rightwards and v downwards, so the mesh is turned to face +z.
     Mesh mesh = patch(options, [&](float u, float v) { return drape_point(drape, 1.0F - u, v); });
@@ -91,11 +91,11 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
             {0.0F, -0.05F}, {0.035F, -0.035F}, {0.05F, 0.0F}, {0.035F, 0.035F}, {0.0F, 0.05F}},
         12);
     std::vector<vec3> loop;
-    for (const vec2& point : circle(0.035F, 12)) loop.emplace_back(0.0F, point.x, point.y);
+    for (const vec2& point : circle(0.035F, 9)) loop.emplace_back(0.0F, point.x, point.y);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh ring =
-        sweep(circle(0.006F, 6), frames_along(loop, {1.0F, 0.0F, 0.0F}, true), closed);
+        sweep(circle(0.006F, 4), frames_along(loop, {1.0F, 0.0F, 0.0F}, true), closed);
     for (const float side : {-0.5F, 0.5F}) {
         site.put(Surface::kIron, knob, frame * at(side * length, 0.0F, 0.0F), 2U);
     }
@@ -161,8 +161,8 @@ void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
 void put_banner(Site& site, const glm::mat4& bay, float x, float width, float drop, const vec3& dye,
                 std::uint32_t seed) {
     PatchOptions options;
-    options.columns = 36;
-    options.rows = 72;
+    options.columns = 28;
+    options.rows = 48;
     constexpr float kRail = 6.5F;
     constexpr float kInside = 0.55F;  // length on the gallery's side
     constexpr float kOver = 0.30F;

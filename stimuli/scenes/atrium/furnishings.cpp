@@ -21,7 +21,7 @@ float draw(base::Random& random, float low, float high) {
 /// A blade that rises and bends over outwards (+z); uv cover the leaf texture once.
 Mesh blade(float length, float width, float bend, float cup, int rows) {
     PatchOptions options;
-    options.columns = 4;
+    options.columns = 2;
     options.rows = rows;
     Mesh mesh = patch(options, [&](float u, float v) {
         const float across = (0.5F - u) * 2.0F;
@@ -47,7 +47,7 @@ Mesh palm(std::uint64_t seed, int leaves, float length) {
         const float tilt = glm::mix(0.1F, 0.75F, t) + draw(random, -0.1F, 0.1F);
         const Mesh leaf =
             blade(length * draw(random, 0.75F, 1.1F), 0.075F * draw(random, 0.8F, 1.2F),
-                  draw(random, 0.7F, 1.7F), 0.35F, 10);
+                  draw(random, 0.7F, 1.7F), 0.35F, 9);
         Placement placement;
         placement.transform = glm::rotate(glm::mat4(1.0F), turn, vec3(0.0F, 1.0F, 0.0F)) *
                               glm::rotate(at(0.0F, 0.0F, 0.02F), tilt, vec3(1.0F, 0.0F, 0.0F));
@@ -155,12 +155,12 @@ Mesh amphora() {
 
 Mesh chain(float length) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 10))
+    for (const vec2& point : circle(1.0F, 8))
         loop.emplace_back(0.017F * point.x, 0.03F * point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh link =
-        sweep(circle(0.0055F, 5), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.0055F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     Mesh whole;
     constexpr float kStep = 0.047F;
     const int links = static_cast<int>(length / kStep);

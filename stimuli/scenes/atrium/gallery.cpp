@@ -29,7 +29,7 @@ Mesh baluster() {
         {0.048F, 0.12F}, {0.066F, 0.19F}, {0.068F, 0.25F},  {0.055F, 0.33F}, {0.036F, 0.42F},
         {0.03F, 0.50F},  {0.032F, 0.54F}, {0.046F, 0.565F}, {0.036F, 0.59F}, {0.05F, 0.62F},
         {0.055F, 0.66F}, {0.0F, 0.66F}};
-    return revolve(profile, 12);
+    return revolve(profile, 10);
 }
 
 /// Square pier from the parapet to the springing with a moulded head, at each bay line.
@@ -75,9 +75,9 @@ void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
         const float x0 = which < 0 ? -half : 0.0F;
         const float x1 = which < 0 ? 0.0F : half;
         const Mesh front =
-            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop);
+            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 3);
         const Mesh rear =
-            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop);
+            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 3);
         site.put(Surface::kAshlar, front, bay * at(0.0F, 0.0F, kUpperHalf), seed);
         site.put(Surface::kAshlar, rear, bay * back * at(0.0F, 0.0F, kUpperHalf), seed + 50U);
         Ring ring;
@@ -111,7 +111,9 @@ void build_galleries(Site& site) {
     slender.height = kUpperSpringing - kRailTop - 0.08F;
     slender.radius = 0.135F;
     slender.abacus = 0.42F;
-    slender.segments = 20;
+    slender.segments = 16;
+    slender.leaves = 6;
+    slender.leaf_detail = 6;
     const Mesh pillar = column(slender);
     for (const int side : {-1, 1}) {
         const glm::mat4 frame = side_frame(side, kArcadeX - kWallHalf + kUpperHalf);

@@ -94,7 +94,7 @@ void weather(Site& site);
 /// A wall's rectangle [x0, x1] x [springing, top] in the plane z = 0 facing +z, without the half
 /// disc of `radius` around (centre_x, springing). uv in metres.
 [[nodiscard]] renderer::Mesh arch_wall(float x0, float x1, float centre_x, float springing,
-                                       float radius, float top);
+                                       float radius, float top, int rows = 4);
 
 /// A flat rectangle from `origin` along two edges; the outside is cross(edge_u, edge_v).
 /// Cells are at most `cell_m` long. v of its uv runs against edge_v, so that v goes down on walls.
@@ -125,7 +125,8 @@ struct ColumnShape {
     float radius = 0.31F;  ///< of the shaft's foot
     float abacus = 1.0F;   ///< side length
     int segments = 28;
-    int leaves = 8;  ///< in each of two rows
+    int leaves = 8;        ///< in each of two rows
+    int leaf_detail = 10;  ///< cells along and around each
 };
 [[nodiscard]] renderer::Mesh column(const ColumnShape& shape);
 

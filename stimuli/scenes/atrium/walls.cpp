@@ -57,16 +57,16 @@ void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint3
                  frame * at(o.centre_x, at_y, z + 0.036F), seed);
         for (int i = 0; i < kPlanks; ++i) {
             const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 0.5F);
-            site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.03F}, 0.012F),
+            site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.03F}, 0.0F),
                      frame * at(x, at_y, z + 0.045F), seed);
         }
     }
     std::vector<vec3> loop;
-    for (const vec2& point : circle(0.075F, 16)) loop.emplace_back(point.x, point.y, 0.0F);
+    for (const vec2& point : circle(0.075F, 14)) loop.emplace_back(point.x, point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh handle =
-        sweep(circle(0.011F, 8), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.011F, 5), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     for (const float x : {-0.13F, 0.13F}) {
         site.put(Surface::kIron, handle,
                  frame * at(o.centre_x + x, o.foot + 0.5F * height, z + 0.055F), seed);
