@@ -81,7 +81,7 @@ Mesh capital_leaf(float radius, float width, float height, float curl, int detai
         const float back = std::min(0.0F, std::sin(around));
         const float veins = 1.0F + 0.35F * std::cos(across / width * 26.0F);
         const float thick =
-            width * taper * (0.10F * front * veins + 0.09F * rib * front + 0.05F * back);
+            width * taper * (0.15F * front * veins + 0.12F * rib * front + 0.05F * back);
         const vec2 ahead = spine(std::min(1.0F, v + 0.02F)) - spine(std::max(0.0F, v - 0.02F));
         const vec2 outwards = glm::normalize(vec2(ahead.y, -ahead.x));
         const vec2 place = spine(v) + outwards * thick * glm::smoothstep(-0.02F, 0.12F, v);
@@ -91,18 +91,24 @@ Mesh capital_leaf(float radius, float width, float height, float curl, int detai
     });
 }
 
-/// The scroll below a corner of the abacus: a round band wound into a spiral.
-Mesh volute(float size, int steps) {
+/// The scroll below a corner of the abacus: a band that rises from the bell, `reach` behind the
+/// scroll's middle and `rise` below it, and winds itself into a spiral.
+Mesh volute(float size, float reach, float rise, int steps) {
     std::vector<vec3> path;
+    for (int i = 0; i < 4; ++i) {
+        const float t = static_cast<float>(i) / 4.0F;
+        path.emplace_back(0.0F, glm::mix(-rise, 0.42F * size, std::sqrt(t)),
+                          glm::mix(-reach, -0.28F * size, t * t));
+    }
     for (int i = 0; i <= steps; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(steps);
-        const float angle = -0.9F + t * 9.2F;
-        const float radius = size * (0.5F - 0.38F * t);
+        const float angle = 1.1F + t * 10.5F;
+        const float radius = size * (0.5F - 0.4F * t);
         path.emplace_back(0.0F, radius * std::sin(angle), -radius * std::cos(angle));
     }
     const std::vector<vec2> band = [&] {
         std::vector<vec2> points = circle(1.0F, 6);
-        for (vec2& point : points) point *= vec2(0.30F, 0.1F) * size;
+        for (vec2& point : points) point *= vec2(0.34F, 0.105F) * size;
         return points;
     }();
     std::vector<Frame> frames;
@@ -119,9 +125,9 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
     const float height = bell_top - bell_y;
     const float step = glm::two_pi<float>() / static_cast<float>(shape.leaves);
     const float r = shape.radius;
-    const float width = 0.86F * r * step;
-    const Mesh low = capital_leaf(0.88F * r, width, 0.52F * height, 0.26F * r, shape.leaf_detail);
-    const Mesh high = capital_leaf(0.88F * r, width, 0.86F * height, 0.36F * r, shape.leaf_detail);
+    const float width = 0.94F * r * step;
+    const Mesh low = capital_leaf(0.88F * r, width, 0.54F * height, 0.34F * r, shape.leaf_detail);
+    const Mesh high = capital_leaf(0.88F * r, width, 0.9F * height, 0.42F * r, shape.leaf_detail);
     const vec3 up(0.0F, 1.0F, 0.0F);
     for (int i = 0; i < shape.leaves; ++i) {
         Placement placement;
@@ -131,12 +137,13 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
         placement.transform = glm::rotate(at(0.0F, bell_y, 0.0F), angle + 0.5F * step, up);
         append(whole, high, placement);
     }
-    const Mesh scroll = volute(0.42F * height, 2 * shape.leaf_detail);
+    const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
+                               2 * shape.leaf_detail);
     for (int i = 0; i < 4; ++i) {
         Placement placement;
         const float angle = (static_cast<float>(i) + 0.5F) * glm::half_pi<float>();
         const glm::mat4 turned = glm::rotate(glm::mat4(1.0F), angle, up);
-        placement.transform = turned * at(0.0F, bell_top - 0.2F * height, 0.57F * shape.abacus);
+        placement.transform = turned * at(0.0F, bell_top - 0.25F * height, 0.55F * shape.abacus);
         append(whole, scroll, placement);
     }
 }

@@ -114,7 +114,7 @@ void build_ceiling(Site& site, float side, float boards_y, float inner_x, float 
 /// Barrel tiles over a gallery: waves across, steps down the slope.
 void build_roof(Site& site, float side, std::uint32_t seed) {
     constexpr float kPitch = 0.23F;
-    constexpr float kCourse = 0.36F;
+    constexpr float kCourse = 0.44F;
     constexpr float kInner = 2.9F;
     constexpr float kOuter = 7.3F;
     constexpr float kRise = 1.75F;
@@ -122,7 +122,7 @@ void build_roof(Site& site, float side, std::uint32_t seed) {
     const int rolls = static_cast<int>(length / kPitch);
     const int courses = static_cast<int>((kOuter - kInner) / kCourse);
     PatchOptions options;
-    options.columns = rolls * 6;
+    options.columns = rolls * 5;
     options.size_m = {length, kOuter - kInner};
     options.rows = 1;
     const auto place = [&](int row, float u, float v) {

@@ -73,7 +73,7 @@ Texel limestone(vec2 uv, float cells, std::uint32_t seed) {
     const float grains = value_noise(p * 22.0F, seed + 2, period * 22);
     const float hole = clustered * glm::smoothstep(0.74F, 0.86F, grains);
     Texel texel;
-    texel.albedo = glm::mix(colour<0xb9a98c>(), colour<0xd3c6ab>(),
+    texel.albedo = glm::mix(colour<0x9c8c72>(), colour<0xc4b595>(),
                             glm::clamp(0.5F + 0.9F * broad, 0.0F, 1.0F));
     texel.albedo *= (1.0F + 0.13F * fine) * (1.0F - 0.35F * hole);
     texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.0022F * hole;
@@ -92,7 +92,7 @@ Texel ashlar(vec2 uv) {
     const float edge = block.edge_m - chipped;
     const float inside = glm::smoothstep(0.004F, 0.018F, edge);
     Texel texel = limestone(uv, 8.0F, 31);
-    texel.albedo *= (0.80F + 0.34F * tone) *
+    texel.albedo *= (0.70F + 0.42F * tone) *
                     glm::mix(vec3(1.03F, 0.99F, 0.92F), vec3(0.98F, 1.0F, 1.03F), warmth);
     texel.albedo *= 0.88F + 0.12F * glm::smoothstep(0.01F, 0.06F, edge);
     const vec3 mortar = colour<0x9d917d>() * (1.0F + 0.25F * wobble.x);
@@ -134,7 +134,7 @@ Texel plaster(vec2 uv) {
         (1.0F - glm::smoothstep(0.0F, 0.012F, crack_cell.second - crack_cell.nearest)) *
         glm::smoothstep(-0.1F, 0.25F, broad + 0.5F * medium);
     Texel texel;
-    texel.albedo = glm::mix(colour<0xc2a37e>(), colour<0xdcc6a3>(),
+    texel.albedo = glm::mix(colour<0xb08f69>(), colour<0xcdb48f>(),
                             glm::clamp(0.5F + 0.7F * broad + 0.35F * medium, 0.0F, 1.0F));
     const float repaired = glm::smoothstep(0.18F, 0.2F, fbm(p + 13.0F, 56, 3, period));
     texel.albedo = glm::mix(texel.albedo, colour<0xcbb89b>(), 0.6F * repaired);
@@ -166,7 +166,7 @@ Texel floor_tiles(vec2 uv) {
         glm::smoothstep(0.3F, 0.6F, fbm(uv * vec2(16.0F, 96.0F), 65 + (id & 1U), 2, {16, 96}));
     Texel texel;
     texel.albedo =
-        glm::mix(colour<0xa3937a>(), colour<0xc9bb9f>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
+        glm::mix(colour<0x8d7d66>(), colour<0xbaa98b>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     texel.albedo *= (0.86F + 0.24F * unit_of(id, 0)) * (1.0F + 0.08F * fine - 0.08F * scratch);
     texel.albedo *= 1.0F - 0.18F * vein;
     texel.albedo = glm::mix(colour<0x6f6455>(), texel.albedo, inside);
@@ -203,22 +203,43 @@ Texel clay(vec2 uv) {
     return texel;
 }
 
-/// Woven cloth with a woven-in diamond figure; near white, for the parts' tint to dye.
+/// Heavy woven cloth; near white, for the parts' tint to dye.
 Texel cloth(vec2 uv) {
-    const vec2 thread = uv * 180.0F;
-    const float weave =
-        0.5F + 0.5F * std::sin(thread.x * 6.2831853F) * std::sin(thread.y * 6.2831853F);
-    const vec2 figure = glm::abs(glm::fract(uv * 4.0F) - 0.5F);
-    const float diamond = std::abs(figure.x + figure.y - 0.36F);
-    const float dot = glm::length(figure);
-    const float pattern = std::max(1.0F - glm::smoothstep(0.03F, 0.05F, diamond),
-                                   1.0F - glm::smoothstep(0.09F, 0.11F, dot));
+    const vec2 thread = uv * 120.0F * 6.2831853F;
+    const float weave = 0.5F + 0.5F * std::sin(thread.x) * std::sin(thread.y);
     const float faded = fbm(uv * 3.0F, 111, 4, {3, 3});
-    const float slub = fbm(uv * vec2(12.0F, 120.0F), 112, 2, {12, 120});
+    const float slub = fbm(uv * vec2(96.0F, 6.0F), 112, 2, {96, 6});
     Texel texel;
-    texel.albedo = vec3(0.72F + 0.16F * faded + 0.05F * slub) * (0.86F + 0.14F * weave);
-    texel.albedo *= 1.0F - 0.22F * pattern;
-    texel.height_m = 0.0004F * weave + 0.0003F * slub + 0.0003F * pattern;
+    texel.albedo = vec3(0.80F + 0.2F * faded + 0.08F * slub) * (0.88F + 0.12F * weave);
+    texel.height_m = 0.0005F * weave + 0.0004F * slub;
+    return texel;
+}
+
+/// Distance inside (positive) the figure of a banner, of its width: a ring around a star of eight.
+float emblem(vec2 q) {
+    const float r = glm::length(q);
+    const float star = 0.215F + 0.085F * std::cos(8.0F * std::atan2(q.x, q.y));
+    return std::max(std::max(0.022F - std::abs(r - 0.375F), 0.008F - std::abs(r - 0.335F)),
+                    std::min(star - r, r - 0.07F));
+}
+
+/// Banners of 1.05 m x 3 m: red, green and blue, with borders and a figure in gold thread.
+Texel banner(vec2 uv) {
+    const int which = std::min(2, static_cast<int>(uv.x * 3.0F));
+    const vec2 place(uv.x * 3.0F - static_cast<float>(which), uv.y * (3.0F / 1.05F));
+    const float edge = std::min(place.x, 1.0F - place.x);
+    const float below = 3.0F / 1.05F - place.y;
+    const float frame = 0.016F - std::min(std::abs(edge - 0.085F),
+                                          std::abs(below - 0.12F) + (edge < 0.085F ? 1.0F : 0.0F));
+    const float lower = below > 0.1F ? frame : -1.0F;
+    const float tooth = std::abs(glm::fract(place.x * 9.0F) - 0.5F) * 0.09F;
+    const float hem = 0.045F + tooth - below;
+    const float sign = std::max(std::max(lower, hem), emblem(place - vec2(0.5F, 2.16F)));
+    const float gold = glm::smoothstep(-0.003F, 0.003F, sign);
+    Texel texel = cloth(vec2(uv.x * 3.0F, uv.y * 3.0F));
+    const vec3 dye = which == 0 ? kDyeRed : (which == 1 ? kDyeGreen : kDyeBlue);
+    texel.albedo *= glm::mix(dye, kDyeGold, gold);
+    texel.height_m += 0.0012F * gold;
     return texel;
 }
 
@@ -286,6 +307,7 @@ std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
         {"wood", wood, 512, 512, 1.0F, 0.05F, 20.0F, white, false},
         {"roof", clay, 512, 512, 1.0F, 0.04F, 12.0F, white, false},
         {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, white, true},
+        {"banner", banner, 768, 768, 3.15F, 0.02F, 8.0F, white, true},
         {"leaf", leaf, 256, 256, 1.0F, 0.10F, 24.0F, white, true},
         {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F, white, false},
         {"iron", iron, 256, 256, 0.5F, 0.25F, 32.0F, white, false},
