@@ -59,7 +59,7 @@ renderer::Lighting lighting(Validity validity) {
         sun.irradiance = vec3(1.0F, 0.92F, 0.78F) * 13.0F;
         light.lights.push_back(sun);
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{0.85F, 3.5F};
+        light.tone_mapping = renderer::ToneMapping{1.25F, 5.0F};
     }
     return light;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -44,7 +45,7 @@ vec3 drape_point(const Drape& drape, float u, float v) {
     const float strength =
         0.55F +
         0.45F * value_noise(vec2(u * static_cast<float>(drape.folds), v * 1.5F), drape.seed + 1U);
-    const float fuller = drape.depth * (0.45F + 0.55F * glm::smoothstep(0.0F, 0.25F, v)) *
+    const float fuller = drape.depth * (0.6F + 0.4F * glm::smoothstep(0.0F, 0.2F, v)) *
                          std::min(1.5F, 1.0F / (0.35F + 0.65F * width));
     // Rounded crests, and edges that lean over as heavy cloth does.
     const float z = fuller * strength * (std::sin(phase) + 0.22F * std::sin(2.0F * phase + 0.7F));
@@ -58,22 +59,32 @@ vec3 drape_point(const Drape& drape, float u, float v) {
 }
 
 void put_drape(Site& site, const Drape& drape, const vec3& dye, const glm::mat4& frame) {
-    PatchOptions options;
-    options.columns = drape.folds * 8;
-    options.rows = 26;
-    options.size_m = {drape.width * 1.5F, drape.height};
-    // u runs rightwards and v downwards, so the mesh is turned to face +z.
-    Mesh mesh = patch(options, [&](float u, float v) { return drape_point(drape, 1.0F - u, v); });
-    for (Vertex& vertex : mesh.vertices) {
-        const float v = vertex.uv.y / drape.height;
-        const bool border = v > 0.945F && v < 0.985F;
-        const float sunned = 1.0F - 0.12F * value_noise(vertex.position_m * 1.3F, drape.seed);
-        const float dusty = glm::smoothstep(0.8F, 1.0F, v);
-        vec3 colour = border ? kDyeGold : dye;
-        colour = glm::mix(colour * sunned, vec3(0.36F, 0.30F, 0.22F), 0.16F * dusty);
-        vertex.color = glm::u8vec4(glm::vec4(colour * 255.0F + 0.5F, 255.0F));
+    struct Strip {
+        float from;
+        float to;
+        int rows;
+        vec3 colour;
+    };
+    const std::array<Strip, 3> strips{
+        {{0.0F, 0.945F, 22, dye}, {0.945F, 0.982F, 1, kDyeGold}, {0.982F, 1.0F, 1, dye}}};
+    for (const Strip& strip : strips) {
+        PatchOptions options;
+        options.columns = drape.folds * 8;
+        options.rows = strip.rows;
+        options.size_m = {drape.width * 1.5F, drape.height * (strip.to - strip.from)};
+        // u runs leftwards and v downwards, so the cloth faces +z.
+        Mesh mesh = patch(options, [&](float u, float v) {
+            return drape_point(drape, 1.0F - u, strip.from + (strip.to - strip.from) * v);
+        });
+        for (Vertex& vertex : mesh.vertices) {
+            const float down = -vertex.position_m.y / drape.height;
+            const float sunned = 1.0F - 0.18F * value_noise(vertex.position_m * 1.3F, drape.seed);
+            const float dusty = 0.16F * glm::smoothstep(0.8F, 1.0F, down);
+            const vec3 colour = glm::mix(strip.colour * sunned, vec3(0.30F, 0.25F, 0.18F), dusty);
+            vertex.color = glm::u8vec4(glm::vec4(colour * 255.0F + 0.5F, 255.0F));
+        }
+        site.put(Surface::kCloth, mesh, frame, drape.seed);
     }
-    site.put(Surface::kCloth, mesh, frame, drape.seed);
 }
 
 void put_rod(Site& site, float length, const glm::mat4& frame) {
@@ -155,8 +166,8 @@ void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
 void put_banner(Site& site, const glm::mat4& bay, float x, float width, float drop, int dye,
                 std::uint32_t seed) {
     PatchOptions options;
-    options.columns = 28;
-    options.rows = 48;
+    options.columns = 22;
+    options.rows = 40;
     constexpr float kRail = 6.5F;
     constexpr float kInside = 0.55F;  // length on the gallery's side
     constexpr float kOver = 0.30F;

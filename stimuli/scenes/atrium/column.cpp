@@ -31,25 +31,25 @@ std::vector<vec2> turned_profile(const ColumnShape& shape, float from_y, float b
     const float half_pi = glm::half_pi<float>();
     std::vector<vec2> profile{{0.6F * r, from_y}};
     const float roll = 0.16F * r;
-    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, 8);
+    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, shape.leaf_detail - 2);
     const float hollow_y = from_y + 2.0F * roll + 0.05F * r;
     profile.emplace_back(1.2F * r, hollow_y);
     profile.emplace_back(1.13F * r, hollow_y + 0.05F * r);
     profile.emplace_back(1.12F * r, hollow_y + 0.14F * r);
     profile.emplace_back(1.18F * r, hollow_y + 0.2F * r);
     add_arc(profile, {1.1F * r, hollow_y + 0.2F * r + 0.7F * roll}, 0.7F * roll, -half_pi, half_pi,
-            6);
+            4);
     const float foot_y = hollow_y + 0.2F * r + 1.4F * roll;
     profile.emplace_back(1.07F * r, foot_y + 0.02F * r);
-    constexpr int kShaftSteps = 14;
-    for (int i = 0; i <= kShaftSteps; ++i) {
-        const float t = static_cast<float>(i) / kShaftSteps;
+    const int shaft_steps = shape.leaf_detail + 2;
+    for (int i = 0; i <= shaft_steps; ++i) {
+        const float t = static_cast<float>(i) / static_cast<float>(shaft_steps);
         const float flare = 0.06F * std::exp(-14.0F * t);
         profile.emplace_back(r * (1.0F + flare - 0.15F * t * t),
                              foot_y + 0.06F * r + (bell_y - 0.26F * r - foot_y - 0.06F * r) * t);
     }
-    add_arc(profile, {0.88F * r, bell_y - 0.1F * r}, 0.1F * r, -half_pi, half_pi, 6);
-    constexpr int kBellSteps = 6;
+    add_arc(profile, {0.88F * r, bell_y - 0.1F * r}, 0.1F * r, -half_pi, half_pi, 4);
+    constexpr int kBellSteps = 4;
     for (int i = 0; i <= kBellSteps; ++i) {
         const float t = static_cast<float>(i) / kBellSteps;
         profile.emplace_back(r * (0.86F + 0.3F * t * t * t), bell_y + (bell_top - bell_y) * t);
@@ -138,7 +138,7 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
         append(whole, high, placement);
     }
     const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
-                               2 * shape.leaf_detail);
+                               shape.leaf_detail + 5);
     for (int i = 0; i < 4; ++i) {
         Placement placement;
         const float angle = (static_cast<float>(i) + 0.5F) * glm::half_pi<float>();

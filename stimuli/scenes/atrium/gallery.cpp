@@ -74,9 +74,9 @@ void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
         const float x0 = which < 0 ? -half : 0.0F;
         const float x1 = which < 0 ? 0.0F : half;
         const Mesh front =
-            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 3);
+            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
         const Mesh rear =
-            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 3);
+            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
         site.put(Surface::kAshlar, front, bay * at(0.0F, 0.0F, kUpperHalf), seed);
         site.put(Surface::kAshlar, rear, bay * back * at(0.0F, 0.0F, kUpperHalf), seed + 50U);
         Ring ring;
@@ -112,7 +112,7 @@ void build_galleries(Site& site) {
     slender.abacus = 0.42F;
     slender.segments = 16;
     slender.leaves = 6;
-    slender.leaf_detail = 6;
+    slender.leaf_detail = 5;
     const Mesh pillar = column(slender);
     for (const int side : {-1, 1}) {
         const glm::mat4 frame = side_frame(side, kArcadeX - kWallHalf + kUpperHalf);

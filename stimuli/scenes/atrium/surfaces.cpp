@@ -92,10 +92,10 @@ Texel ashlar(vec2 uv) {
     const float edge = block.edge_m - chipped;
     const float inside = glm::smoothstep(0.004F, 0.018F, edge);
     Texel texel = limestone(uv, 8.0F, 31);
-    texel.albedo *= (0.70F + 0.42F * tone) *
+    texel.albedo *= (0.66F + 0.48F * tone) *
                     glm::mix(vec3(1.03F, 0.99F, 0.92F), vec3(0.98F, 1.0F, 1.03F), warmth);
-    texel.albedo *= 0.88F + 0.12F * glm::smoothstep(0.01F, 0.06F, edge);
-    const vec3 mortar = colour<0x9d917d>() * (1.0F + 0.25F * wobble.x);
+    texel.albedo *= 0.80F + 0.20F * glm::smoothstep(0.008F, 0.06F, edge);
+    const vec3 mortar = colour<0x6f6555>() * (1.0F + 0.25F * wobble.x);
     texel.albedo = glm::mix(mortar, texel.albedo, inside);
     const float pillow = glm::smoothstep(0.0F, 0.045F, edge);
     texel.height_m = glm::mix(
@@ -140,6 +140,7 @@ Texel plaster(vec2 uv) {
     texel.albedo = glm::mix(texel.albedo, colour<0xcbb89b>(), 0.6F * repaired);
     texel.albedo *= 1.0F + 0.06F * fine - 0.35F * crack + 0.12F * lip;
     texel.height_m = 0.003F * medium + 0.0006F * fine - 0.002F * crack + 0.001F * repaired;
+    if (gone <= 0.0F) return texel;
     const Texel brick = brickwork(uv, size_m, {32, 52});
     texel.albedo = glm::mix(texel.albedo, brick.albedo, gone);
     texel.height_m = glm::mix(texel.height_m, brick.height_m, gone);

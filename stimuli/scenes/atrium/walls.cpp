@@ -57,18 +57,18 @@ void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint3
         const float at_y = foot + y * height;
         site.put(Surface::kIron, bevelled_box({2.0F * o.radius - 0.12F, 0.06F, 0.016F}, 0.005F),
                  frame * at(o.centre_x, at_y, z + 0.036F), seed);
-        for (int i = 0; i < kPlanks; ++i) {
-            const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 0.5F);
+        for (int i = 0; i < kPlanks; i += 2) {
+            const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 1.0F);
             site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.03F}, 0.0F),
                      frame * at(x, at_y, z + 0.045F), seed);
         }
     }
     std::vector<vec3> loop;
-    for (const vec2& point : circle(0.075F, 14)) loop.emplace_back(point.x, point.y, 0.0F);
+    for (const vec2& point : circle(0.075F, 10)) loop.emplace_back(point.x, point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh handle =
-        sweep(circle(0.011F, 5), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.011F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     for (const float x : {-0.13F, 0.13F}) {
         site.put(Surface::kIron, handle,
                  frame * at(o.centre_x + x, foot + 0.5F * height, z + 0.055F), seed);
@@ -89,7 +89,7 @@ void put_frame(Site& site, const Opening& o, const glm::mat4& frame, std::uint32
     ring.blocks = 9;
     ring.seed = seed;
     put_voussoirs(site, ring, frame);
-    const int blocks = 4;
+    const int blocks = 3;
     const float step = (o.springing - o.sill) / static_cast<float>(blocks);
     for (const float side : {-1.0F, 1.0F}) {
         for (int i = 0; i < blocks; ++i) {
@@ -133,7 +133,7 @@ void put_panel(Site& site, const Panel& panel, const Opening& o, const glm::mat4
 
 /// A plinth of stone blocks along the foot of a wall, left out at a door.
 void put_plinth(Site& site, const glm::mat4& frame, float x0, float x1, std::uint32_t seed) {
-    const int blocks = std::max(1, static_cast<int>((x1 - x0) / 0.75F + 0.5F));
+    const int blocks = std::max(1, static_cast<int>((x1 - x0) / 1.0F + 0.5F));
     const float step = (x1 - x0) / static_cast<float>(blocks);
     for (int i = 0; i < blocks; ++i) {
         const float x = x0 + step * (static_cast<float>(i) + 0.5F);

@@ -15,8 +15,8 @@ float box_distance(const glm::vec3& local, const glm::vec3& half) {
 }
 
 Bounds bounds_of_box(const glm::vec3& centre, const glm::vec3& half, const glm::mat3& axes) {
-    const glm::vec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y +
-                            glm::abs(axes[2]) * half.z;
+    const glm::vec3 reach =
+        glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
     return {centre - reach, centre + reach};
 }
 
@@ -235,14 +235,14 @@ Curve make_curve(const std::vector<Knot>& knots, int steps, const glm::vec3& nor
         const int last = span + 2 == count ? steps : steps - 1;
         for (int step = 0; step <= last; ++step) {
             const float t = static_cast<float>(step) / static_cast<float>(steps);
-            const glm::vec4 at = catmull_rom(packed(span - 1), packed(span), packed(span + 1),
-                                             packed(span + 2), t);
-            const glm::vec4 high = catmull_rom(glm::vec4(height(span - 1)), glm::vec4(height(span)),
-                                               glm::vec4(height(span + 1)),
-                                               glm::vec4(height(span + 2)), t);
+            const glm::vec4 at =
+                catmull_rom(packed(span - 1), packed(span), packed(span + 1), packed(span + 2), t);
+            const glm::vec4 high =
+                catmull_rom(glm::vec4(height(span - 1)), glm::vec4(height(span)),
+                            glm::vec4(height(span + 1)), glm::vec4(height(span + 2)), t);
             // Width and height are equal to the last bit where the knots are round.
-            curve.push_back({glm::vec3(at), normal_hint, std::max(at.w, 1e-4F),
-                             std::max(high.x, 1e-4F), 0.0F});
+            curve.push_back(
+                {glm::vec3(at), normal_hint, std::max(at.w, 1e-4F), std::max(high.x, 1e-4F), 0.0F});
         }
     }
     rebuild_frames(curve);
@@ -261,8 +261,7 @@ void rebuild_frames(Curve& curve) {
         }
         curve[i].normal = last_normal = glm::normalize(normal);
         curve[i].length_m =
-            i == 0 ? 0.0F
-                   : curve[i - 1].length_m + glm::length(curve[i].position_m - before);
+            i == 0 ? 0.0F : curve[i - 1].length_m + glm::length(curve[i].position_m - before);
     }
 }
 

@@ -50,8 +50,7 @@ class SculptureShape final : public Shape {
 
 }  // namespace
 
-void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes,
-                       const StrokeStyle& style) {
+void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style) {
     const auto index = static_cast<std::uint32_t>(strokes_.size());
     strokes_.push_back({blend, style, style.blend_m});
     for (const ShapePtr& shape : shapes) {
@@ -108,7 +107,7 @@ glm::vec3 Sculpture::tint(const glm::vec3& point_m, std::span<const Part> parts)
         }
         const Stroke& now = strokes_[index];
         if (now.style.tints) {
-            const float mine = now.blend == Blend::kAdd ? result - nearest
+            const float mine = now.blend == Blend::kAdd     ? result - nearest
                                : now.blend == Blend::kCarve ? -nearest - result
                                                             : nearest - result;
             const float width = std::max(now.style.blend_m, 1e-4F);
@@ -135,8 +134,7 @@ std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float rad
     const float reach = radius_m + widest_blend_m_ + 2.0F * displacement_.high_m;
     for (const Part& part : parts) {
         const Stroke& now = strokes_[part.stroke];
-        if (now.blend == Blend::kKeep ||
-            part.shape->lower_bound(point_m) <= reach + now.margin_m) {
+        if (now.blend == Blend::kKeep || part.shape->lower_bound(point_m) <= reach + now.margin_m) {
             result.push_back(part);
         }
     }
