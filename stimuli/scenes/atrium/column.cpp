@@ -31,7 +31,7 @@ std::vector<vec2> turned_profile(const ColumnShape& shape, float from_y, float b
     const float half_pi = glm::half_pi<float>();
     std::vector<vec2> profile{{0.6F * r, from_y}};
     const float roll = 0.16F * r;
-    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, shape.leaf_detail - 2);
+    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, 6);
     const float hollow_y = from_y + 2.0F * roll + 0.05F * r;
     profile.emplace_back(1.2F * r, hollow_y);
     profile.emplace_back(1.13F * r, hollow_y + 0.05F * r);

@@ -78,9 +78,9 @@ struct TubePoint {
 using Relief = std::function<float(const TubePoint&)>;
 
 struct TubeStyle {
-    bool squarish = false;     ///< section is a superellipse of power 4, for straps and plates
-    Relief relief = nullptr;   ///< optional
-    float relief_high_m = 0;   ///< largest height that the relief returns
+    bool squarish = false;    ///< section is a superellipse of power 4, for straps and plates
+    Relief relief = nullptr;  ///< optional
+    float relief_high_m = 0;  ///< largest height that the relief returns
 };
 
 /// One shape per segment, meant to be joined by a plain union.

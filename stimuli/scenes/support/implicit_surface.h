@@ -80,8 +80,8 @@ class Sculpture {
 
 /// Colours a vertex from where it is, which way it faces and the tint of the strokes there; gives
 /// the linear factor of the albedo in [0, 1].
-using Painter =
-    std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal, const glm::vec3& tint)>;
+using Painter = std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal,
+                                        const glm::vec3& tint)>;
 
 /// Triangulates the zero surface by surface nets (Gibson 1998) on a grid of cells of `cell_m`, its
 /// vertices then moved onto the surface, normals from the field's gradient. Blocks of cells that
