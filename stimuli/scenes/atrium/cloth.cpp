@@ -104,7 +104,7 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
     for (const float side : {-0.5F, 0.5F}) {
         site.put(Surface::kIron, knob, frame * at(side * length, 0.0F, 0.0F), 2U);
     }
-    constexpr int kRings = 13;
+    constexpr int kRings = 10;
     for (int i = 0; i < kRings; ++i) {
         const float x = length * 0.96F * ((static_cast<float>(i) + 0.5F) / kRings - 0.5F);
         site.put(Surface::kIron, ring, frame * at(x, -0.012F, 0.0F), 3U);
@@ -118,7 +118,7 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
 
 void put_tie(Site& site, vec3 centre, float width, const glm::mat4& frame) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 28)) {
+    for (const vec2& point : circle(1.0F, 20)) {
         loop.emplace_back(centre + vec3(0.5F * width * point.x, -0.10F * point.x, 0.15F * point.y));
     }
     SweepOptions closed;

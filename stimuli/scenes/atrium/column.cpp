@@ -137,6 +137,7 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
         placement.transform = glm::rotate(at(0.0F, bell_y, 0.0F), angle + 0.5F * step, up);
         append(whole, high, placement);
     }
+    if (!shape.scrolls) return;
     const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
                                shape.leaf_detail + 5);
     for (int i = 0; i < 4; ++i) {

@@ -155,12 +155,12 @@ Mesh amphora() {
 
 Mesh chain(float length) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 8))
+    for (const vec2& point : circle(1.0F, 7))
         loop.emplace_back(0.017F * point.x, 0.03F * point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh link =
-        sweep(circle(0.0055F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.0055F, 3), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     Mesh whole;
     constexpr float kStep = 0.047F;
     const int links = static_cast<int>(length / kStep);
@@ -211,7 +211,7 @@ void put_planter(Site& site, vec3 foot, bool stone, int plant, std::uint32_t see
     if (plant == 0) {
         site.put_mapped(Surface::kLeaf, palm(seed, 46, stone ? 1.35F : 1.05F), crown);
     } else {
-        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 340 : 260, stone ? 0.46F : 0.36F),
+        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 310 : 230, stone ? 0.46F : 0.36F),
                         crown);
     }
 }
