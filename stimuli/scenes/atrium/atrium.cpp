@@ -49,8 +49,8 @@ renderer::Lighting lighting(Validity validity) {
     sky.ground = {0.40F, 0.33F, 0.25F};  // sunlit stone below
     sky.sun_glow = {1.5F, 1.25F, 0.9F};
     sky.towards_sun = towards_sun;
-    sky.cloud_cover = 0.3F;
-    sky.seed = 7;
+    sky.cloud_cover = 0.5F;
+    sky.seed = 3;
     renderer::Lighting light;
     light.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky));
     if (validity == Validity::kHigh) {

@@ -139,7 +139,7 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
     }
     if (!shape.scrolls) return;
     const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
-                               shape.leaf_detail + 5);
+                               2 * shape.leaf_detail + 4);
     for (int i = 0; i < 4; ++i) {
         Placement placement;
         const float angle = (static_cast<float>(i) + 0.5F) * glm::half_pi<float>();

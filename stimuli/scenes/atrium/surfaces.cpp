@@ -128,7 +128,7 @@ Texel plaster(vec2 uv) {
     const float broad = fbm(p * 0.5F + 0.25F, 51, 2, {4, 2});
     const float medium = noise(uv * vec2(4.0F, 2.0F));
     const float fine = noise(uv * vec2(26.0F, 13.0F) + 0.3F);
-    const float loss = fbm(p, 54, 2, period) + 0.3F * medium + 0.35F * broad - 0.42F;
+    const float loss = fbm(p, 54, 4, period) + 0.06F * medium + 0.35F * broad - 0.40F;
     const float gone = glm::smoothstep(-0.004F, 0.012F, loss);
     const float lip = glm::smoothstep(-0.05F, 0.0F, loss) * (1.0F - gone);
     const Cell crack_cell = cellular(p * 1.5F + 0.25F * medium, 55, {12, 6});

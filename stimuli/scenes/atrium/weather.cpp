@@ -37,9 +37,9 @@ vec3 masonry_tone(const vec3& p, const vec3& normal) {
         colour = glm::mix(colour, vec3(0.86F, 0.9F, 0.78F), 0.35F * damp);
     }
     if (std::abs(p.x) < kArcadeX) {
-        const float soot = std::min(1.0F, streaks(p, normal, kLowerTop + 0.3F, 1.1F, 511) +
-                                              streaks(p, normal, kUpperTop + 0.5F, 0.9F, 513));
-        tone *= 1.0F - 0.5F * soot;
+        const float soot = std::min(1.0F, streaks(p, normal, kLowerTop + 0.3F, 1.6F, 511) +
+                                              streaks(p, normal, kUpperTop + 0.5F, 1.2F, 513));
+        tone *= 1.0F - 0.6F * soot;
         colour = glm::mix(colour, vec3(0.88F, 0.92F, 0.9F), soot);
         // What faces the sky collects dust and lichen.
         if (normal.y > 0.6F && p.y > 0.5F) {
@@ -58,6 +58,13 @@ vec3 floor_tone(const vec3& p, const vec3& /*normal*/) {
     return glm::clamp(vec3(1.0F, 0.985F, 0.96F) * tone, 0.0F, 1.0F);
 }
 
+vec3 clay_tone(const vec3& p, const vec3& /*normal*/) {
+    const float tile = value_noise(p * 4.3F, 531);
+    const float broad = fbm(p * 0.7F, 532, 3);
+    const vec3 smoke = glm::mix(vec3(1.0F), vec3(0.62F, 0.66F, 0.66F), tile);
+    return glm::clamp(smoke * (0.85F + 0.25F * broad), 0.0F, 1.0F);
+}
+
 }  // namespace
 
 void weather(Site& site) {
@@ -65,6 +72,7 @@ void weather(Site& site) {
         paint(site.mesh(surface), masonry_tone);
     }
     paint(site.mesh(Surface::kFloor), floor_tone);
+    paint(site.mesh(Surface::kRoof), clay_tone);
 }
 
 }  // namespace obscura::stimuli::atrium
