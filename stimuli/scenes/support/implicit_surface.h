@@ -73,8 +73,9 @@ class Sculpture {
     };
     /// The distance to the stroke that starts at parts[i], or anything not below the limit; moves i
     /// to the next stroke.
-    [[nodiscard]] static float stroke_distance(const glm::vec3& point_m, std::span<const Part> parts,
-                                               std::size_t& i, float limit_m);
+    [[nodiscard]] static float stroke_distance(const glm::vec3& point_m,
+                                               std::span<const Part> parts, std::size_t& i,
+                                               float limit_m);
     [[nodiscard]] float undisplaced(const glm::vec3& point_m, std::span<const Part> parts) const;
     [[nodiscard]] float limit_of(const Stroke& stroke, float so_far) const;
     void stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style);
@@ -91,8 +92,8 @@ class Sculpture {
 
 /// Colours a vertex from where it is, which way it faces and the tint of the strokes there; gives
 /// the linear factor of the albedo in [0, 1].
-using Painter =
-    std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal, const glm::vec3& tint)>;
+using Painter = std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal,
+                                        const glm::vec3& tint)>;
 
 /// Triangulates the zero surface by surface nets (Gibson 1998) on a grid of cells of `cell_m`, its
 /// vertices then moved onto the surface, normals from the field's gradient. Blocks of cells that

@@ -53,8 +53,7 @@ class SculptureShape final : public Shape {
 
 }  // namespace
 
-void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes,
-                       const StrokeStyle& style) {
+void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style) {
     const auto index = static_cast<std::uint32_t>(strokes_.size());
     strokes_.push_back({blend, style, style.blend_m});
     for (const ShapePtr& shape : shapes) {
@@ -176,7 +175,14 @@ Bounds Sculpture::bounds() const {
         if (strokes_[part.stroke].blend == Blend::kAdd) result.include(part.shape->bounds());
     }
     const float room = widest_blend_m_ + displacement_.high_m;
-    return {result.low - room, result.high + room};
+    result = {result.low - room, result.high + room};
+    for (const Part& part : parts_) {
+        if (strokes_[part.stroke].blend != Blend::kKeep) continue;
+        const Bounds kept = part.shape->bounds();
+        result.low = glm::max(result.low, kept.low - displacement_.high_m);
+        result.high = glm::min(result.high, kept.high + displacement_.high_m);
+    }
+    return result;
 }
 
 std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float radius_m,
