@@ -6,8 +6,9 @@ namespace obscura::app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> list = {
-        check_command(),
+        render_command(),
         plan_command(),
+        check_command(),
     };
     return list;
 }
