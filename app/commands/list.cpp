@@ -5,7 +5,11 @@
 namespace obscura::app {
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> list = {};
+    static const std::vector<Command> list = {
+        render_command(),
+        plan_command(),
+        check_command(),
+    };
     return list;
 }
 
