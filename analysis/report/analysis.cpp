@@ -149,9 +149,9 @@ std::string sentence_of(const std::vector<Comparison>& comparisons) {
     }
     std::string sentence = "Does the preference depend on validity?";
     for (const Comparison& comparison : comparisons) {
-        sentence += fmt::format(" {} against {} over {} ({}): ", comparison.variant_a,
-                                comparison.variant_b, fmt::join(comparison.levels, ", "),
-                                fmt::join(comparison.conditions, ", "));
+        sentence +=
+            fmt::format(" {} against {} over {} ({}): ", comparison.variant_a, comparison.variant_b,
+                        fmt::join(comparison.levels, ", "), fmt::join(comparison.conditions, ", "));
         if (!comparison.test.has_value()) {
             sentence += fmt::format("no test, {}.", comparison.test.reason);
         } else {

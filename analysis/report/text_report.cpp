@@ -95,11 +95,10 @@ std::string heading(const Tally& tally) {
 }
 
 std::string pair_row(const Comparison& pair) {
-    std::string text = fmt::format("  {} against {}: {} ({}) {}:{}, {} ({}) {}:{}: ",
-                                   pair.variant_a, pair.variant_b, pair.conditions[0],
-                                   pair.levels[0], pair.votes[0].a, pair.votes[0].b,
-                                   pair.conditions[1], pair.levels[1], pair.votes[1].a,
-                                   pair.votes[1].b);
+    std::string text = fmt::format(
+        "  {} against {}: {} ({}) {}:{}, {} ({}) {}:{}: ", pair.variant_a, pair.variant_b,
+        pair.conditions[0], pair.levels[0], pair.votes[0].a, pair.votes[0].b, pair.conditions[1],
+        pair.levels[1], pair.votes[1].a, pair.votes[1].b);
     if (!pair.test.has_value()) return text + fmt::format("no test, {}\n", pair.test.reason);
     return text + fmt::format("chi-square {:.4g}, df {}, p {}\n", pair.test->statistic,
                               pair.test->df, p_text(pair.test->p));
