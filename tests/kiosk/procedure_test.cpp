@@ -10,7 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
-#include "tests/kiosk_study.h"
+#include "tests/kiosk/small_study.h"
 
 namespace obscura::app::kiosk {
 namespace {
