@@ -5,7 +5,9 @@
 namespace obscura::app {
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> list = {};
+    static const std::vector<Command> list = {
+        run_command(),
+    };
     return list;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -272,8 +273,10 @@ std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& ans
     began_s_ = now.time_s - elapsed_s;
     latest_s_ = now.time_s;
     pair_ = static_cast<int>(answered.size());
-    std::vector<Row> rows{
-        event_record("session resumed", fmt::format("at pair {}", pair_ + 1), now)};
+    const std::string detail = fmt::format(
+        "at pair {} of {}, on {}; {}; {}", std::min(pair_ + 1, pair_count()), pair_count(),
+        plan_.machine.software, plan_.machine.gpu_renderer, plan_.machine.display);
+    std::vector<Row> rows{event_record("session resumed", detail, now)};
     if (pair_ == pair_count()) {
         rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
         show(Screen::kThanks);

@@ -125,6 +125,8 @@ class Procedure {
     /// The pair that is next or being shown, from 0; pair_count() after the last.
     [[nodiscard]] int pair() const { return pair_; }
     [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
+    /// Whether the session has begun and is not complete.
+    [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
     /// The image of that pair shown first (position 0) or second (position 1).
     [[nodiscard]] const StimulusImage& image(int pair, int position) const;
     /// While the grey interval is visible: when the second image is due to be visible.
