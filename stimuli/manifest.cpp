@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <OpenImageIO/imageio.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -61,6 +63,18 @@ ManifestImage image_from(const Json& json) {
     return image;
 }
 
+/// Looks at the file itself, since a manifest can be edited.
+std::string problem_of_size(const Study& study, const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+        return fmt::format("{}: no image that can be read: {}", path.string(), OIIO::geterror());
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.width == study.width && spec.height == study.height) return "";
+    return fmt::format("{}: the image is {}x{} pixels, the study asks for {}x{}", path.string(),
+                       spec.width, spec.height, study.width, study.height);
+}
+
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
                              const Manifest& manifest, const std::filesystem::path& folder) {
     const ManifestImage* image = manifest.find(condition.id, side);
@@ -73,18 +87,16 @@ std::string problem_of_image(const Study& study, const Condition& condition, con
     if (!std::filesystem::is_regular_file(path, error)) {
         return fmt::format("{}: the file is missing", path.string());
     }
-    if (image->width != study.width || image->height != study.height) {
-        return fmt::format("{}: the image is {}x{} pixels, the study asks for {}x{}", path.string(),
-                           image->width, image->height, study.width, study.height);
-    }
     try {
         const std::string met = base::sha256_hex(base::read_file(path));
-        if (met == image->sha256) return "";
-        return fmt::format("{}: the file was changed: its SHA-256 is {}, the manifest says {}",
-                           path.string(), met, image->sha256);
+        if (met != image->sha256) {
+            return fmt::format("{}: the file was changed: its SHA-256 is {}, the manifest says {}",
+                               path.string(), met, image->sha256);
+        }
     } catch (const base::Error& unreadable) {
         return unreadable.what();
     }
+    return problem_of_size(study, path);
 }
 
 }  // namespace

@@ -72,12 +72,12 @@ std::optional<std::string> read_choice(TableReader& reader, const std::string& k
 
 void read_resolution(TableReader& reader, Study& study) {
     const std::string wanted =
-        fmt::format("two integers from 1 to {}: [width, height]", kMostPixels);
+        fmt::format("a pair of integers from 1 to {}: [width, height]", kMostPixels);
     const toml::array* sides = reader.array("resolution", Need::kOptional, wanted);
     if (sides == nullptr) return;
     if (sides->size() != 2) {
         reader.add("resolution",
-                   fmt::format("has {} values, allowed are {}", sides->size(), wanted));
+                   fmt::format("has {} values, allowed is {}", sides->size(), wanted));
         return;
     }
     std::array<int, 2> pixels{study.width, study.height};
@@ -85,10 +85,10 @@ void read_resolution(TableReader& reader, Study& study) {
         const toml::value<std::int64_t>* side = sides->get(i)->as_integer();
         if (side == nullptr) {
             reader.add("resolution",
-                       fmt::format("value {} is no integer, allowed are {}", i + 1, wanted));
+                       fmt::format("value {} is no integer, allowed is {}", i + 1, wanted));
         } else if (**side < 1 || **side > kMostPixels) {
             reader.add("resolution",
-                       fmt::format("{} is out of range, allowed are {}", **side, wanted));
+                       fmt::format("{} is out of range, allowed is {}", **side, wanted));
         } else {
             pixels[i] = static_cast<int>(**side);
         }
@@ -131,7 +131,7 @@ void refuse_second(TableReader& reader, const std::string& id, std::set<std::str
 
 /// The entries of an array of tables, with what is no table reported.
 std::vector<const toml::table*> read_entries(TableReader& root, const std::string& key) {
-    const std::string wanted = fmt::format("tables, each begun with [[{}]]", key);
+    const std::string wanted = fmt::format("an array of tables, each begun with [[{}]]", key);
     std::vector<const toml::table*> entries;
     const toml::array* array = root.array(key, Need::kOptional, wanted);
     if (array == nullptr) return entries;
@@ -139,7 +139,7 @@ std::vector<const toml::table*> read_entries(TableReader& root, const std::strin
         if (node.is_table()) entries.push_back(node.as_table());
     }
     if (entries.size() != array->size()) {
-        root.add(key, fmt::format("holds something that is no table, allowed are {}", wanted));
+        root.add(key, fmt::format("holds something that is no table, allowed is {}", wanted));
     }
     return entries;
 }
@@ -242,8 +242,9 @@ void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalog
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         TableReader entry(*scenes[i], name_of_entry(*scenes[i], "scene", i), problems);
         study.scenes.push_back(read_scene(entry, catalogue));
-        refuse_second(entry, study.scenes.back().id, seen);
-        if (!study.scenes.back().id.empty()) scene_ids.push_back(study.scenes.back().id);
+        const std::string& id = study.scenes.back().id;
+        if (!id.empty() && !seen.contains(id)) scene_ids.push_back(id);
+        refuse_second(entry, id, seen);
     }
     seen.clear();
     const auto conditions = read_entries(reader, "condition");
@@ -253,7 +254,8 @@ void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalog
         study.conditions.push_back(read_condition(entry, where, scene_ids, problems));
         refuse_second(entry, study.conditions.back().id, seen);
     }
-    check_condition_count(study, conditions, problems);
+    const toml::node* array = root.get("condition");
+    if (array == nullptr || array->is_array()) check_condition_count(study, conditions, problems);
     reader.finish();
 }
 

@@ -112,8 +112,14 @@ void TableReader::wrong_type(const std::string& key, const toml::node& value,
     add(key, fmt::format("is {}, allowed is {}", type_in_words(value), wanted));
 }
 
+void TableReader::allow(const std::string& key) {
+    if (std::find(allowed_.begin(), allowed_.end(), key) == allowed_.end()) {
+        allowed_.push_back(key);
+    }
+}
+
 const toml::node* TableReader::find(const std::string& key, Need need) {
-    allowed_.push_back(key);
+    allow(key);
     const toml::node* value = table_.get(key);
     if (value == nullptr && need == Need::kRequired) missing_.push_back(key);
     return value;

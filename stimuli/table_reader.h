@@ -45,6 +45,9 @@ class TableReader {
     const toml::array* array(const std::string& key, Need need, std::string_view wanted);
     const toml::table* table(const std::string& key, Need need);
 
+    /// Lets `key` be there without reading it.
+    void allow(const std::string& key);
+
     /// Notes a problem with the value of `key`, at the key's line.
     void add(const std::string& key, const std::string& message);
 

@@ -25,6 +25,17 @@ void report_unknown_technique(TableReader& reader, const renderer::TechniqueChoi
                            listed(names), did_you_mean(choice.technique, names)));
 }
 
+/// Without a technique any setting of any technique may be meant; only the rest is reported.
+void allow_any_setting(TableReader& reader) {
+    reader.allow("samples");
+    reader.allow("denoise");
+    for (const renderer::Technique& technique : renderer::techniques()) {
+        for (const renderer::Parameter& parameter : technique.parameters) {
+            reader.allow(parameter.name);
+        }
+    }
+}
+
 void read_settings(TableReader& reader, const renderer::Technique& technique,
                    renderer::TechniqueChoice& choice) {
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
@@ -61,8 +72,8 @@ renderer::TechniqueChoice read_variant(const toml::table& table, const std::stri
             return choice;
         }
         read_settings(reader, *technique, choice);
-    } else if (table.contains("technique")) {
-        return choice;
+    } else {
+        allow_any_setting(reader);
     }
     reader.finish();
     return choice;

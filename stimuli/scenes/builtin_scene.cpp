@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "stimuli/scenes/builtin_scene.h"
 
+#include "stimuli/scenes/list.h"
+
 namespace obscura::stimuli {
 
 const std::vector<BuiltinScene>& builtin_scenes() {
-    static const std::vector<BuiltinScene> list = {};
+    static const std::vector<BuiltinScene> list = {
+        make_relic(),
+    };
     return list;
 }
 

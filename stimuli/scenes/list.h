@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "stimuli/scenes/builtin_scene.h"
+
+namespace obscura::stimuli {
+
+// One line a scene; each is defined in the file or folder of its name.
+BuiltinScene make_atrium();
+BuiltinScene make_figures();
+BuiltinScene make_relic();
+
+}  // namespace obscura::stimuli

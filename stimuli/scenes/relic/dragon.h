@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "stimuli/scenes/support/implicit_surface.h"
+
+namespace obscura::stimuli::relic {
+
+// The parts of the relic, each adding strokes to a sculpture. World space, metres; the piece
+// stands on y = 0 and its front faces +Z.
+
+/// Linear colours of the stone.
+inline constexpr glm::vec3 kJade{0.62F, 0.72F, 0.635F};
+inline constexpr glm::vec3 kPale{0.76F, 0.76F, 0.70F};
+inline constexpr glm::vec3 kDeep{0.56F, 0.65F, 0.575F};
+inline constexpr glm::vec3 kSandstone{0.72F, 0.68F, 0.61F};
+
+/// A place on the sculpture that parts are modelled at: right, up and forward are the columns.
+struct Placed {
+    glm::vec3 origin_m{0.0F};
+    glm::mat3 axes{1.0F};
+
+    [[nodiscard]] glm::vec3 operator()(float right, float up, float forward) const {
+        return origin_m + axes * glm::vec3(right, up, forward);
+    }
+    [[nodiscard]] Knot knot(float right, float up, float forward, float width_m,
+                            float height_m = 0.0F) const {
+        return {(*this)(right, up, forward), width_m, height_m};
+    }
+};
+
+/// The spine from the tip of the tail to the skull; normals point to the back.
+[[nodiscard]] Curve spine();
+/// Where the head sits on the spine.
+[[nodiscard]] Placed head_place();
+
+void add_body(Sculpture& sculpture, const Curve& spine);
+void add_crest(Sculpture& sculpture, const Curve& spine);
+void add_limbs(Sculpture& sculpture);
+void add_head(Sculpture& sculpture);
+void add_mane(Sculpture& sculpture);
+void add_base(Sculpture& sculpture);
+
+}  // namespace obscura::stimuli::relic

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "stimuli/scenes/list.h"
+#include "stimuli/scenes/relic/dragon.h"
+#include "stimuli/scenes/support/noise.h"
+
+namespace obscura::stimuli {
+namespace {
+
+/// Clouds and veins of the stone: a factor near 1.
+glm::vec3 veined(const glm::vec3& p, const glm::vec3&, const glm::vec3& tint) {
+    const float cloud = fbm(p * 5.0F, 21, 3);
+    const float vein = ridged(p * 4.0F + 0.35F * cloud, 33, 2);
+    const float light = 1.0F + 0.07F * cloud - 0.06F * std::clamp((vein - 0.88F) * 8.0F, 0.0F, 1.0F);
+    const glm::vec3 warm = glm::mix(glm::vec3(1.0F), glm::vec3(1.05F, 1.0F, 0.94F), 0.5F + 0.5F * cloud);
+    return tint * light * warm;
+}
+
+renderer::Scene build() {
+    constexpr float kCell_m = 0.0040F;
+    constexpr float kHeadCell_m = 0.0024F;
+    renderer::Scene scene;
+    scene.name = "relic";
+    scene.materials.push_back({.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
+    const Curve spine = relic::spine();
+    Sculpture body;
+    relic::add_body(body, spine);
+    relic::add_limbs(body);
+    relic::add_crest(body, spine);
+    relic::add_base(body);
+    Sculpture head;
+    relic::add_head(head);
+    relic::add_mane(head);
+    for (auto& [name, sculpture, cell_m] :
+         {std::tuple{"body and base", &body, kCell_m}, std::tuple{"head", &head, kHeadCell_m}}) {
+        renderer::Mesh mesh = polygonise(*sculpture, cell_m, veined);
+        mesh.name = name;
+        scene.meshes.push_back(std::move(mesh));
+    }
+    // The piece is 1.15 m high and fills 70 % of the frame's height.
+    const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
+        renderer::Camera result;
+        result.name = name;
+        result.position_m = from;
+        result.target_m = at;
+        result.vertical_fov_rad = fov_rad;
+        result.near_m = 0.1F;
+        result.far_m = 10.0F;
+        return result;
+    };
+    scene.cameras = {camera("front", {-0.25F, 0.85F, 3.2F}, {0.02F, 0.57F, 0.0F}, 0.50F),
+                     camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.57F, 0.0F}, 0.50F),
+                     camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
+    return scene;
+}
+
+renderer::Lighting lighting(Validity) { return {}; }
+
+}  // namespace
+
+BuiltinScene make_relic() {
+    return {.id = "relic",
+            .title = "A dragon carved in stone, coiled on a lotus base",
+            .stands_in_for = "the Stanford dragon",
+            .levels = {Validity::kLow},
+            .cameras = {"front", "side", "head"},
+            .build = build,
+            .lighting = lighting};
+}
+
+}  // namespace obscura::stimuli

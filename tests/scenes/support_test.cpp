@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+#include <vector>
+
+#include "stimuli/scenes/support/mesh_builder.h"
+#include "stimuli/scenes/support/noise.h"
+#include "stimuli/scenes/support/texture_maker.h"
+
+namespace obscura::stimuli {
+namespace {
+
+using renderer::Mesh;
+using renderer::Vertex;
+
+/// The volume inside a closed mesh whose triangles face outwards; negative when they face inwards.
+double volume_m3(const Mesh& mesh) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a(mesh.vertices[mesh.indices[i]].position_m);
+        const glm::dvec3 b(mesh.vertices[mesh.indices[i + 1]].position_m);
+        const glm::dvec3 c(mesh.vertices[mesh.indices[i + 2]].position_m);
+        sum += glm::dot(a, glm::cross(b, c)) / 6.0;
+    }
+    return sum;
+}
+
+/// That normals and tangents are unit length and perpendicular, and that triangles turn the way
+/// their normals point.
+void expect_well_formed(const Mesh& mesh) {
+    for (const Vertex& vertex : mesh.vertices) {
+        EXPECT_NEAR(glm::length(vertex.normal), 1.0F, 1e-4F);
+        EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1.0F, 1e-4F);
+        EXPECT_NEAR(glm::dot(glm::vec3(vertex.tangent), vertex.normal), 0.0F, 1e-3F);
+        EXPECT_EQ(std::abs(vertex.tangent.w), 1.0F);
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Vertex& a = mesh.vertices[mesh.indices[i]];
+        const Vertex& b = mesh.vertices[mesh.indices[i + 1]];
+        const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+        const glm::vec3 area = glm::cross(b.position_m - a.position_m, c.position_m - a.position_m);
+        EXPECT_GE(glm::dot(area, a.normal + b.normal + c.normal), 0.0F);
+    }
+}
+
+TEST(MeshBuilder, BoxesFaceOutwards) {
+    const Mesh box = bevelled_box({1.0F, 2.0F, 3.0F}, 0.0F);
+    expect_well_formed(box);
+    EXPECT_NEAR(volume_m3(box), 6.0, 1e-5);
+    const Mesh cut = bevelled_box({1.0F, 2.0F, 3.0F}, 0.1F);
+    EXPECT_LT(volume_m3(cut), 6.0);
+    EXPECT_GT(volume_m3(cut), 5.8);
+}
+
+TEST(MeshBuilder, SurfacesOfRevolutionFaceOutwards) {
+    const std::vector<glm::vec2> profile{{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 2.0F}, {0.0F, 2.0F}};
+    const Mesh drum = revolve(profile, 256);
+    expect_well_formed(drum);
+    EXPECT_NEAR(volume_m3(drum), 2.0 * glm::pi<double>(), 0.01);
+}
+
+TEST(MeshBuilder, SweptProfilesFaceOutwardsAndAreClosed) {
+    const std::vector<glm::vec2> square{{-0.5F, -0.5F}, {0.5F, -0.5F}, {0.5F, 0.5F}, {-0.5F, 0.5F}};
+    const std::vector<glm::vec3> path{{0.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F}, {0.0F, 5.0F, 0.0F}};
+    const Mesh bar = sweep(square, frames_along(path, {0.0F, 0.0F, 1.0F}));
+    expect_well_formed(bar);
+    EXPECT_NEAR(volume_m3(bar), 5.0, 1e-4);
+}
+
+TEST(MeshBuilder, PatchNormalsAreThoseOfASphereUpToItsPoles) {
+    PatchOptions options;
+    options.columns = 64;
+    options.rows = 32;
+    options.closed_u = true;
+    const Mesh sphere = patch(options, [](float u, float v) {
+        const float around = u * glm::two_pi<float>();
+        const float up = (v - 0.5F) * glm::pi<float>();
+        return glm::vec3(std::sin(around) * std::cos(up), std::sin(up),
+                         std::cos(around) * std::cos(up));
+    });
+    for (const Vertex& vertex : sphere.vertices) {
+        EXPECT_GT(glm::dot(vertex.normal, glm::normalize(vertex.position_m)), 0.99F);
+    }
+    EXPECT_NEAR(volume_m3(sphere), 4.0 / 3.0 * glm::pi<double>(), 0.03);
+}
+
+TEST(MeshBuilder, AMirroredPartStillFacesOutwards) {
+    Mesh whole;
+    Placement placement;
+    placement.transform = glm::scale(glm::mat4(1.0F), {-1.0F, 2.0F, 1.0F});
+    append(whole, bevelled_box({1.0F, 1.0F, 1.0F}, 0.05F), placement);
+    expect_well_formed(whole);
+    EXPECT_GT(volume_m3(whole), 1.9);
+}
+
+TEST(MeshBuilder, BoxProjectionGivesMetresAndTangentsAlongU) {
+    const Mesh box = bevelled_box({2.0F, 2.0F, 2.0F}, 0.0F);
+    for (std::size_t i = 0; i < box.indices.size(); i += 3) {
+        const Vertex& a = box.vertices[box.indices[i]];
+        const Vertex& b = box.vertices[box.indices[i + 1]];
+        const glm::vec3 edge_m = b.position_m - a.position_m;
+        const glm::vec2 edge_uv = b.uv - a.uv;
+        EXPECT_NEAR(glm::length(edge_m), glm::length(edge_uv), 1e-5F);
+        EXPECT_NEAR(glm::dot(edge_m, glm::vec3(a.tangent)), edge_uv.x, 1e-5F);
+        const glm::vec3 along_v = glm::cross(a.normal, glm::vec3(a.tangent)) * a.tangent.w;
+        EXPECT_NEAR(glm::dot(edge_m, along_v), edge_uv.y, 1e-5F);
+    }
+}
+
+TEST(Noise, RepeatsAfterItsPeriod) {
+    const glm::ivec2 period(4, 6);
+    for (int k = 0; k < 50; ++k) {
+        const glm::vec2 p(static_cast<float>(k) * 0.37F, static_cast<float>(k) * 0.21F);
+        const glm::vec2 q = p + glm::vec2(period);
+        EXPECT_NEAR(fbm(p, 3, 5, period), fbm(q, 3, 5, period), 2e-3F);
+        EXPECT_NEAR(value_noise(p, 3, period), value_noise(q, 3, period), 1e-4F);
+        EXPECT_NEAR(cellular(p, 3, period).nearest, cellular(q, 3, period).nearest, 1e-4F);
+    }
+}
+
+TEST(Noise, StaysInItsRangeAndVaries) {
+    float low = 1e9F;
+    float high = -1e9F;
+    for (int k = 0; k < 4000; ++k) {
+        const glm::vec3 p(static_cast<float>(k) * 0.173F, static_cast<float>(k % 71) * 0.311F,
+                          static_cast<float>(k % 13) * 0.7F);
+        const float value = fbm(p, 9, 4);
+        low = std::min(low, value);
+        high = std::max(high, value);
+        EXPECT_GE(ridged(p, 9, 4), -0.1F);
+        EXPECT_LE(ridged(p, 9, 4), 1.0F);
+        EXPECT_LE(cellular(p, 9).nearest, cellular(p, 9).second);
+    }
+    EXPECT_GT(low, -1.2F);
+    EXPECT_LT(high, 1.2F);
+    EXPECT_LT(low, -0.3F);
+    EXPECT_GT(high, 0.3F);
+}
+
+TEST(TextureMaker, NormalsLeanAwayFromTheSlope) {
+    TextureRecipe recipe;
+    recipe.name = "slope";
+    recipe.width = recipe.height = 64;
+    recipe.at = [](glm::vec2 uv) {
+        Texel texel;  // rises along +u in the first half, falls in the second
+        texel.albedo = glm::vec3(0.5F, 0.25F, 1.0F);
+        texel.height_m = 0.5F - std::abs(uv.x - 0.5F);
+        return texel;
+    };
+    const BakedTextures baked = bake(recipe);
+    const auto texel = [&](int x, int channel) {
+        return baked.normal.rgba[static_cast<std::size_t>(4 * (32 * 64 + x) + channel)];
+    };
+    EXPECT_EQ(texel(16, 0), 128 - 90);  // -1 / sqrt(2)
+    EXPECT_EQ(texel(48, 0), 128 + 90);
+    EXPECT_EQ(texel(16, 1), 128);
+    EXPECT_EQ(texel(16, 2), 128 + 90);
+    EXPECT_EQ(baked.albedo.rgba[0], 188);  // 0.5 linear
+    EXPECT_EQ(baked.albedo.rgba[2], 255);
+    EXPECT_TRUE(baked.albedo.srgb);
+    EXPECT_FALSE(baked.normal.srgb);
+}
+
+TEST(TextureMaker, SrgbCodesSurviveTheRoundTrip) {
+    for (std::uint32_t code = 0; code < 256; ++code) {
+        EXPECT_EQ(encode_srgb(linear_from_srgb(code).z), code);
+    }
+}
+
+}  // namespace
+}  // namespace obscura::stimuli
