@@ -121,7 +121,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
     Window window({options.monitor, options.windowed, {study.width, study.height}});
     std::vector<std::string> texts = fixed_texts();
-    texts.insert(texts.end(), {study.question, study.instructions});
+    texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
     Ui ui(window, texts, study.grey_level);
     Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),

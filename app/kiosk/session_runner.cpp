@@ -211,7 +211,7 @@ void SessionRunner::draw_page() {
             pressed = question_screen(fonts, stage_.study, pair, count);
             break;
         case Screen::kThanks:
-            pressed = thanks_screen(fonts);
+            pressed = thanks_screen(fonts, stage_.study);
             break;
         case Screen::kConfirmLeave:
             pressed = leave_screen(fonts, procedure_.session_open());

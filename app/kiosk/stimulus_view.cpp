@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/stimulus_view.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "stimuli/png.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -18,54 +17,30 @@ namespace {
 constexpr int kChannels = 4;
 constexpr float kCodeValues = 255.0F;
 
-/// The image's channels as they are stored, rows from the top.
-[[nodiscard]] std::vector<std::uint8_t> decode(const std::string& name, std::string& bytes,
-                                               Extent extent, int& channels) {
-    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    OIIO::ImageSpec as_stored;
-    as_stored["oiio:UnassociatedAlpha"] = 1;
-    const auto input = OIIO::ImageInput::open(name, &as_stored, &memory);
-    if (!input) throw base::bad_input("{} is no image: {}", name, OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width != extent.width || spec.height != extent.height) {
-        throw base::bad_input("{} is {}x{}, the study's images are {}x{}", name, spec.width,
-                              spec.height, extent.width, extent.height);
-    }
-    if (spec.format != OIIO::TypeDesc::UINT8) {
-        throw base::bad_input("{} has {} channels, stimuli have 8 bits", name, spec.format.c_str());
-    }
-    channels = spec.nchannels;
-    std::vector<std::uint8_t> pixels(spec.image_pixels() * static_cast<std::size_t>(channels));
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, pixels.data())) {
-        throw base::bad_input("{} cannot be read: {}", name, input->geterror());
-    }
-    return pixels;
-}
-
 }  // namespace
 
 StimulusPixels load_stimulus(const std::filesystem::path& folder, const StimulusImage& image,
                              Extent extent) {
     const std::filesystem::path path = folder / image.file;
-    std::string bytes = base::read_file(path);
+    const std::string bytes = base::read_file(path);
     if (const std::string hash = base::sha256_hex(bytes); hash != image.sha256) {
         throw base::bad_input("{} has the SHA-256 {}, the manifest says {}", path.string(), hash,
                               image.sha256);
     }
-    int channels = 0;
-    const auto stored = decode(path.string(), bytes, extent, channels);
+    const stimuli::RgbImage stored = stimuli::decode_png(bytes, path.string());
+    if (stored.width != extent.width || stored.height != extent.height) {
+        throw base::bad_input("{} is {}x{}, the study's images are {}x{}", path.string(),
+                              stored.width, stored.height, extent.width, extent.height);
+    }
     StimulusPixels pixels{extent, {}};
     const auto width = static_cast<std::size_t>(extent.width);
     const auto height = static_cast<std::size_t>(extent.height);
     pixels.rgba.assign(width * height * kChannels, 255);
     for (std::size_t row = 0; row < height; ++row) {
         for (std::size_t column = 0; column < width; ++column) {
-            const std::uint8_t* from =
-                &stored[(row * width + column) * static_cast<std::size_t>(channels)];
+            const std::uint8_t* from = &stored.rgb[(row * width + column) * 3];
             std::uint8_t* to = &pixels.rgba[((height - 1 - row) * width + column) * kChannels];
-            for (int channel = 0; channel < 3; ++channel) {
-                to[channel] = from[channels >= 3 ? channel : 0];
-            }
+            std::copy_n(from, 3, to);
         }
     }
     return pixels;

@@ -40,7 +40,7 @@ struct FormDraft {
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
                                                    int pair, int count);
 
-[[nodiscard]] std::optional<Event> thanks_screen(const Fonts& fonts);
+[[nodiscard]] std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study);
 
 [[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
 

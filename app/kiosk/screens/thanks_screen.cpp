@@ -5,12 +5,15 @@
 
 namespace obscura::app::kiosk {
 
-std::optional<Event> thanks_screen(const Fonts& fonts) {
+std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study) {
     std::optional<Event> event;
     card("##thanks", 30.0F, [&] {
         heading(fonts, "Thank you");
-        paragraph("That was the last pair. All your answers are saved.");
-        paragraph("Please tell the person in charge that you are done.");
+        paragraph(study.thanks.empty()
+                      ? "That was the last pair. Please tell the person in charge that you are done."
+                      : study.thanks);
+        gap(0.2F);
+        hint(fonts, "All answers are saved.");
         gap();
         if (primary_button("Next participant")) event = NextParticipant{};
     });
