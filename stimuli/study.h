@@ -37,6 +37,7 @@ struct Study {
     std::string title;
     std::string question;
     std::string instructions;
+    std::string thanks;  ///< text of the last page; empty: the kiosk's own
     int width = 1280;
     int height = 720;
     int grey_ms = 2000;
@@ -61,11 +62,26 @@ struct StudyProblem {
 /// Everything wrong with the text of a study file, ordered by line; empty when it can be run.
 [[nodiscard]] std::vector<StudyProblem> problems_of_study(std::string_view text);
 
+/// The text of a study file and how messages call it.
+struct StudySource {
+    std::string name;
+    std::string text;
+};
+
+/// The text of the file, or of the built-in study of that name (`jakobsen2010`, also for ""). A
+/// built-in name wins over a file of the same name; write ./jakobsen2010 for the file. Throws bad
+/// input for neither, naming the built-in studies.
+[[nodiscard]] StudySource study_source(const std::string& file_or_name);
+
+/// The problems as messages show them, one line each: `name:line: message`.
+[[nodiscard]] std::string to_lines(const std::vector<StudyProblem>& problems,
+                                   const std::string& name);
+
 /// Parses and checks. `name` stands for the text in messages. Throws bad input that lists every
 /// problem as `name:line: message`.
 [[nodiscard]] Study parse_study(std::string_view text, const std::string& name);
 
-/// The study in the file, or the built-in study of that name (`jakobsen2010`, also for "").
+/// parse_study of study_source.
 [[nodiscard]] Study load_study(const std::string& file_or_name);
 
 }  // namespace obscura::stimuli

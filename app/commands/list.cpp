@@ -5,7 +5,13 @@
 namespace obscura::app {
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> list = {};
+    static const std::vector<Command> list = {
+        run_command(),
+        render_command(),
+        plan_command(),
+        analyze_command(),
+        check_command(),
+    };
     return list;
 }
 

@@ -8,6 +8,13 @@
 
 namespace obscura::app {
 
+// One line a command; each is defined in the file of its name.
+Command analyze_command();
+Command run_command();
+Command check_command();
+Command plan_command();
+Command render_command();
+
 /// All commands, in the order of the help.
 [[nodiscard]] const std::vector<Command>& commands();
 

@@ -80,8 +80,9 @@ std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice) {
                                    names_of(technique->parameters))});
         } else if (!(value >= parameter->low && value <= parameter->high)) {
             problems.push_back(
-                {name, fmt::format("{} is out of range: allowed is {} to {} {}", value,
-                                   parameter->low, parameter->high, parameter->unit)});
+                {name, fmt::format("{} is out of range: allowed is {} to {}{}{}", value,
+                                   parameter->low, parameter->high,
+                                   parameter->unit.empty() ? "" : " ", parameter->unit)});
         }
     }
     return problems;

@@ -12,7 +12,7 @@ std::vector<Parameter> view_space_parameters() {
          0.02},
         {"no_threshold_m", "A depth difference above this does not occlude", "m", 0.0, 10000.0,
          2.0},
-        {"power", "Exponent of the accessibility of one occluded sample", "", 0.0, 64.0, 4.0},
+        {"power", "Exponent of the accessibility of one occluded sample", "", 0.0, 10000.0, 16.0},
     };
 }
 

@@ -26,6 +26,9 @@ inline constexpr std::array kOrderKinds{OrderKind::kLatinSquare, OrderKind::kWil
 [[nodiscard]] std::string_view to_string(OrderKind kind);
 [[nodiscard]] std::optional<OrderKind> order_kind_from(std::string_view name);
 
+/// The most conditions that an order is made for.
+inline constexpr int kMostConditions = 64;
+
 /// Rows of condition indices 0 .. n-1.
 using Square = std::vector<std::vector<int>>;
 
@@ -39,11 +42,22 @@ struct SessionOrder {
 };
 
 /// The order for a slot. The same kind, count, seed and slot give the same order everywhere.
-/// `condition_count` must be at least 1.
+///
+/// latin-square: square slot / 2n, row slot % n, swapped in the second n slots of a square (the
+/// thesis, 5.5). williams, even n: the same with a Williams design; odd n: two squares of n rows
+/// make a block, one of them swapped, in the next block the other one, so that 4n slots balance
+/// the neighbours within each side too. random: slots count as for latin-square, each with its own
+/// permutation. fixed: the order of the file, every second slot swapped.
+/// Throws bad input unless condition_count is 1 to kMostConditions.
 [[nodiscard]] SessionOrder session_order(OrderKind kind, int condition_count, std::uint64_t seed,
                                          std::uint64_t slot);
 
-/// How many slots make a block in which everything balances: rows of the square times two.
+/// session_order of the slots 0 .. slot_count - 1; each square is drawn once.
+[[nodiscard]] std::vector<SessionOrder> session_orders(OrderKind kind, int condition_count,
+                                                       std::uint64_t seed,
+                                                       std::uint64_t slot_count);
+
+/// How many slots make a block in which all that the order promises balances: 2n, for fixed 2.
 [[nodiscard]] std::uint64_t block_size(OrderKind kind, int condition_count);
 
 /// The smallest slot that is not among those taken; a session broken off takes none.

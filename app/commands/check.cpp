@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/commands/list.h"
+#include "stimuli/study.h"
+
+namespace obscura::app {
+namespace {
+
+base::ExitCode check(const std::string& file_or_name) {
+    const stimuli::StudySource source = stimuli::study_source(file_or_name);
+    const auto problems = stimuli::problems_of_study(source.text);
+    if (!problems.empty()) {
+        fmt::print("{}\n", stimuli::to_lines(problems, source.name));
+        return base::ExitCode::kBadInput;
+    }
+    const stimuli::Study study = stimuli::parse_study(source.text, source.name);
+    const std::size_t conditions = study.conditions.size();
+    fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,
+               conditions == 1 ? "" : "s", 2 * conditions);
+    return base::ExitCode::kDone;
+}
+
+}  // namespace
+
+Command check_command() {
+    return {"check", "Say everything that is wrong with a study file, each with its line",
+            [](CLI::App& options, const Globals&) -> std::function<base::ExitCode()> {
+                auto study = std::make_shared<std::string>();
+                options.add_option("STUDY", *study,
+                                   "Study file, or the name of a built-in study; default: "
+                                   "jakobsen2010");
+                return [study] { return check(*study); };
+            }};
+}
+
+}  // namespace obscura::app

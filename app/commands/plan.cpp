@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/list.h"
+#include "stimuli/order/balance.h"
+#include "stimuli/study.h"
+
+namespace obscura::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using stimuli::Balance;
+using stimuli::SessionOrder;
+using stimuli::Study;
+
+constexpr int kMostParticipants = 1'000'000;
+
+struct PlanOptions {
+    std::string study;
+    int participants = 0;
+    bool json = false;
+};
+
+std::vector<std::string> ids_of(const Study& study) {
+    std::vector<std::string> ids;
+    for (const stimuli::Condition& condition : study.conditions) ids.push_back(condition.id);
+    return ids;
+}
+
+std::string_view first_image(const SessionOrder& session) { return session.swapped ? "b" : "a"; }
+
+void print_sessions(const std::vector<SessionOrder>& sessions,
+                    const std::vector<std::string>& ids) {
+    fmt::print(
+        "Who sees what: III-a means that of condition III image A is shown first.\n"
+        "Squares and rows count from 0, as in trials.csv.\n\n"
+        "participant  square  row  swapped  order of the conditions\n");
+    for (const SessionOrder& session : sessions) {
+        std::string shown;
+        for (const int condition : session.conditions) {
+            shown += fmt::format("  {}-{}", ids[condition], first_image(session));
+        }
+        fmt::print("{:>11}  {:>6}  {:>3}  {:>7}{}\n", session.slot + 1, session.latin_square,
+                   session.latin_row, session.swapped ? "yes" : "no", shown);
+    }
+}
+
+/// A table of counts with the ids down the side.
+void print_table(const std::string& title, const std::vector<std::string>& ids,
+                 const std::vector<std::string>& heads,
+                 const std::vector<std::vector<long long>>& rows) {
+    std::size_t side = 0;
+    for (const std::string& id : ids) side = std::max(side, id.size());
+    std::size_t width = 3;
+    for (const std::string& head : heads) width = std::max(width, head.size());
+    for (const auto& row : rows) {
+        for (const long long count : row) width = std::max(width, std::to_string(count).size());
+    }
+    fmt::print("\n{}\n{:>{}}", title, "", side);
+    for (const std::string& head : heads) fmt::print("  {:>{}}", head, width);
+    fmt::print("\n");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        fmt::print("{:>{}}", ids[i], side);
+        for (const long long count : rows[i]) fmt::print("  {:>{}}", count, width);
+        fmt::print("\n");
+    }
+}
+
+void print_verdict(bool holds, const std::string& property, const std::string& counted) {
+    fmt::print("  {:<14}  {}: {}\n", holds ? "holds" : "does not hold", property, counted);
+}
+
+void print_verdicts(const Study& study, const Balance& balance) {
+    fmt::print("\nBalance\n");
+    print_verdict(balance.rows_hold(), "each condition once in each row",
+                  fmt::format("{} of {} participants", balance.complete_rows, balance.sessions));
+    const std::uint64_t left = balance.sessions - balance.squares * balance.condition_count;
+    print_verdict(balance.columns_hold(), "each condition once in each column of a square",
+                  fmt::format("{} of {} whole squares{}", balance.latin_squares, balance.squares,
+                              left == 0 ? ""
+                                        : fmt::format("; the last one has {} of {} rows", left,
+                                                      balance.condition_count)));
+    print_verdict(balance.sides_hold(), "each image of a pair first equally often",
+                  fmt::format("A first {}, B first {} in each condition", balance.a_first.front(),
+                              balance.b_first.front()));
+    const stimuli::CountRange range = stimuli::range_off_diagonal(balance.neighbours);
+    print_verdict(balance.neighbours_hold(),
+                  "each condition directly after each other one equally often",
+                  range.low == range.high ? fmt::format("{} times", range.low)
+                                          : fmt::format("{} to {} times", range.low, range.high));
+    if (!balance.neighbours_hold() && study.order != stimuli::OrderKind::kWilliams) {
+        fmt::print("{:>16}  order \"{}\" does not promise this; order = \"williams\" does\n", "",
+                   to_string(study.order));
+    }
+}
+
+void print_block(const Study& study, std::uint64_t participants) {
+    const std::uint64_t block =
+        stimuli::block_size(study.order, static_cast<int>(study.conditions.size()));
+    const std::uint64_t whole = participants / block * block;
+    if (participants == whole) {
+        fmt::print("\n{} participants are {} whole block{} of {}.\n", participants,
+                   participants / block, participants == block ? "" : "s", block);
+    } else {
+        fmt::print(
+            "\n{} participants are no multiple of the block of {}, in which the order {} "
+            "balances; the nearest are {}{}.\n",
+            participants, block, to_string(study.order),
+            whole > 0 ? fmt::format("{} and ", whole) : "", whole + block);
+    }
+}
+
+void print_text(const Study& study, const std::vector<SessionOrder>& sessions,
+                const Balance& balance) {
+    const std::vector<std::string> ids = ids_of(study);
+    fmt::print("Study {}, order {}, seed {}, {} conditions, {} participants\n\n", study.name,
+               to_string(study.order), study.seed, ids.size(), sessions.size());
+    print_sessions(sessions, ids);
+    std::vector<std::string> positions;
+    for (std::size_t i = 1; i <= ids.size(); ++i) positions.push_back(std::to_string(i));
+    print_table("How often each condition stood at each position", ids, positions,
+                balance.at_position);
+    std::vector<std::vector<long long>> firsts;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        firsts.push_back({balance.a_first[i], balance.b_first[i]});
+    }
+    print_table("How often each image was first", ids, {"A", "B"}, firsts);
+    print_table(
+        "Carry-over: how often the condition of the column came directly after the one of "
+        "the row",
+        ids, ids, balance.neighbours);
+    print_verdicts(study, balance);
+    print_block(study, sessions.size());
+}
+
+Json to_json(const Balance& balance, const std::vector<std::string>& ids) {
+    const stimuli::CountRange range = stimuli::range_off_diagonal(balance.neighbours);
+    return {{"conditions", ids},
+            {"each_condition_once_per_row", balance.rows_hold()},
+            {"each_condition_once_per_column", balance.columns_hold()},
+            {"each_image_first_equally_often", balance.sides_hold()},
+            {"carry_over_balanced", balance.neighbours_hold()},
+            {"complete_rows", balance.complete_rows},
+            {"whole_squares", balance.squares},
+            {"latin_squares", balance.latin_squares},
+            {"at_position", balance.at_position},
+            {"a_first", balance.a_first},
+            {"b_first", balance.b_first},
+            {"carry_over", balance.neighbours},
+            {"carry_over_low", range.low},
+            {"carry_over_high", range.high}};
+}
+
+/// Written a participant at a time, since a million of them as one value would fill the memory.
+void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
+                const Balance& balance) {
+    const std::vector<std::string> ids = ids_of(study);
+    const std::uint64_t block = stimuli::block_size(study.order, static_cast<int>(ids.size()));
+    fmt::print(
+        "{{\"study\": {}, \"order\": {}, \"seed\": {}, \"n_participants\": {}, "
+        "\"block\": {}, \"whole_blocks\": {},\n\"balance\": {},\n\"participants\": [",
+        Json(study.name).dump(), Json(to_string(study.order)).dump(), study.seed, sessions.size(),
+        block, sessions.size() % block == 0, to_json(balance, ids).dump());
+    for (const SessionOrder& session : sessions) {
+        std::vector<std::string> shown;
+        for (const int condition : session.conditions) shown.push_back(ids[condition]);
+        const Json row = {{"participant", session.slot + 1},
+                          {"slot", session.slot},
+                          {"latin_square", session.latin_square},
+                          {"latin_row", session.latin_row},
+                          {"swapped", session.swapped},
+                          {"first_image", first_image(session)},
+                          {"conditions", shown}};
+        fmt::print("{}\n{}", session.slot == 0 ? "" : ",", row.dump());
+    }
+    fmt::print("]}}\n");
+}
+
+base::ExitCode plan(const PlanOptions& options) {
+    const Study study = stimuli::load_study(options.study);
+    const int n = static_cast<int>(study.conditions.size());
+    const auto sessions = stimuli::session_orders(study.order, n, study.seed,
+                                                  static_cast<std::uint64_t>(options.participants));
+    const Balance balance = stimuli::balance_of(sessions, n);
+    (options.json ? print_json : print_text)(study, sessions, balance);
+    return base::ExitCode::kDone;
+}
+
+}  // namespace
+
+Command plan_command() {
+    return {"plan", "Print who sees what, with proof of its balance",
+            [](CLI::App& options, const Globals&) -> std::function<base::ExitCode()> {
+                auto chosen = std::make_shared<PlanOptions>();
+                options.add_option("STUDY", chosen->study,
+                                   "Study file, or the name of a built-in study; default: "
+                                   "jakobsen2010");
+                options
+                    .add_option("--participants", chosen->participants,
+                                "How many participants complete the study")
+                    ->required()
+                    ->check(CLI::Range(1, kMostParticipants));
+                options.add_flag("--json", chosen->json, "Print JSON");
+                return [chosen] { return plan(*chosen); };
+            }};
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/camera.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "renderer/base/check.h"
+
+namespace obscura::renderer {
+
+CameraMatrices matrices_of(const Camera& camera, int width, int height) {
+    const std::string where = "camera " + camera.name;
+    base::check_range(where, "vertical_fov_rad", camera.vertical_fov_rad, 1e-3F,
+                      std::numbers::pi_v<float> - 1e-3F);
+    base::check_range(where, "near_m", camera.near_m, 1e-6F, 1e9F);
+    base::check_above(where, "far_m", camera.far_m, camera.near_m, 1e12F);
+    const glm::vec3 forward = camera.target_m - camera.position_m;
+    const float across = glm::length(glm::cross(forward, camera.up));
+    if (!(glm::length(forward) > 0.0F) || !(across > 0.0F)) {
+        throw base::bad_input(
+            "{}: position and target must differ, and up must not lie along the "
+            "view",
+            where);
+    }
+    CameraMatrices matrices;
+    matrices.view_from_world = glm::lookAt(camera.position_m, camera.target_m, camera.up);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    matrices.clip_from_view =
+        glm::perspective(camera.vertical_fov_rad, aspect, camera.near_m, camera.far_m);
+    const float up_per_metre = std::tan(0.5F * camera.vertical_fov_rad);
+    matrices.ray_scale = {up_per_metre * aspect, up_per_metre};
+    matrices.far_m = camera.far_m;
+    return matrices;
+}
+
+}  // namespace obscura::renderer

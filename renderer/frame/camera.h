@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/scene/scene.h"
+
+namespace obscura::renderer {
+
+/// A camera's matrices for an image of a certain shape, in OpenGL's clip conventions.
+struct CameraMatrices {
+    glm::mat4 view_from_world{1.0F};
+    glm::mat4 clip_from_view{1.0F};
+    glm::vec2 ray_scale{1.0F};   ///< view x, y per metre of depth at the right and upper border
+    glm::vec2 ray_offset{0.0F};  ///< the same at the middle of the image
+    float far_m = 100.0F;
+};
+
+/// Throws bad input naming the camera's field, its value and what is allowed.
+[[nodiscard]] CameraMatrices matrices_of(const Camera& camera, int width, int height);
+
+}  // namespace obscura::renderer

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/frame.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "renderer/base/error.h"
+
+namespace obscura::renderer {
+namespace {
+
+struct GlFormat {
+    GLenum internal;
+    GLenum format;
+    GLenum type;
+};
+
+GlFormat gl_format(Target target) {
+    switch (target) {
+        case Target::kAlbedo:
+            return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case Target::kNormal:
+        case Target::kDisplay:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case Target::kDepth:
+        case Target::kAccessibility:
+        case Target::kDenoiseStep:
+        case Target::kDenoised:
+            return {GL_R32F, GL_RED, GL_FLOAT};
+        case Target::kVisibility:
+            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
+        case Target::kShadow:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+        case Target::kAmbient:
+        case Target::kDirect:
+        case Target::kHdr:
+            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    }
+    return {};
+}
+
+gl::Texture make_texture(const PlannedTarget& planned) {
+    const GLenum internal = gl_format(planned.target).internal;
+    const bool layered = planned.target == Target::kShadow;
+    gl::Texture texture =
+        gl::Texture::make(static_cast<GLenum>(layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
+    if (layered) {
+        glTextureStorage3D(texture.name(), 1, internal, planned.width, planned.height,
+                           planned.layers);
+        glTextureParameteri(texture.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTextureParameteri(texture.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    } else {
+        glTextureStorage2D(texture.name(), 1, internal, planned.width, planned.height);
+    }
+    const GLint filter = layered ? GL_LINEAR : GL_NEAREST;
+    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, filter);
+    glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, filter);
+    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+}  // namespace
+
+Frame::Frame(FramePlan plan) : plan_(std::move(plan)) {
+    for (const PlannedTarget& planned : plan_.targets) {
+        textures_.emplace(planned.target, make_texture(planned));
+    }
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+        throw base::failure(
+            "the buffers of a {}x{} frame ({} bytes) could not be made: OpenGL "
+            "error 0x{:x}",
+            plan_.width, plan_.height, plan_.bytes(), error);
+    }
+}
+
+std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
+    const PlannedTarget* planned = plan_.find(target);
+    if (planned == nullptr) {
+        throw base::failure("this frame has no {} target", to_string(target));
+    }
+    const GlFormat format = gl_format(target);
+    std::vector<std::uint8_t> bytes(planned->bytes);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture(target), 0, format.format, format.type,
+                      static_cast<GLsizei>(bytes.size()), bytes.data());
+    return bytes;
+}
+
+std::vector<float> Frame::read_floats(Target target) const {
+    const std::vector<std::uint8_t> bytes = read_bytes(target);
+    std::vector<float> values(bytes.size() / sizeof(float));
+    const auto row = static_cast<std::size_t>(plan_.width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(plan_.height); ++y) {
+        std::memcpy(&values[(plan_.height - 1 - y) * row], &bytes[y * row * sizeof(float)],
+                    row * sizeof(float));
+    }
+    return values;
+}
+
+std::vector<std::uint8_t> Frame::read_display() const {
+    const std::vector<std::uint8_t> rgba = read_bytes(Target::kDisplay);
+    const auto width = static_cast<std::size_t>(plan_.width);
+    const auto height = static_cast<std::size_t>(plan_.height);
+    std::vector<std::uint8_t> rgb(3 * width * height);
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            std::copy_n(&rgba[4 * ((height - 1 - y) * width + x)], 3, &rgb[3 * (y * width + x)]);
+        }
+    }
+    return rgb;
+}
+
+}  // namespace obscura::renderer

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/gpu_scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#include "renderer/base/error.h"
+
+namespace obscura::renderer {
+namespace {
+
+void check_scene(const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.material >= scene.materials.size()) {
+            throw base::bad_input("scene {}, mesh {}: material {} of {}", scene.name, mesh.name,
+                                  mesh.material, scene.materials.size());
+        }
+        for (const std::uint32_t index : mesh.indices) {
+            if (index >= mesh.vertices.size()) {
+                throw base::bad_input("scene {}, mesh {}: index {} of {} vertices", scene.name,
+                                      mesh.name, index, mesh.vertices.size());
+            }
+        }
+    }
+    const auto count = static_cast<TextureIndex>(scene.textures.size());
+    for (const Material& material : scene.materials) {
+        for (const TextureIndex index : {material.albedo_texture, material.normal_texture}) {
+            if (index < kNoTexture || index >= count) {
+                throw base::bad_input("scene {}, material {}: texture {} of {}", scene.name,
+                                      material.name, index, count);
+            }
+        }
+    }
+}
+
+gl::Texture upload(const Scene& scene, const Texture& texture) {
+    const auto texels =
+        static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
+    if (texture.width < 1 || texture.height < 1 || texture.rgba.size() != 4 * texels) {
+        throw base::bad_input("scene {}, texture {}: {} bytes for {}x{} texels", scene.name,
+                              texture.name, texture.rgba.size(), texture.width, texture.height);
+    }
+    gl::Texture result = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
+    const auto longest = static_cast<unsigned>(std::max(texture.width, texture.height));
+    const GLsizei levels = static_cast<GLsizei>(std::bit_width(longest));
+    glTextureStorage2D(result.name(), levels, texture.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                       texture.width, texture.height);
+    glTextureSubImage2D(result.name(), 0, 0, 0, texture.width, texture.height, GL_RGBA,
+                        GL_UNSIGNED_BYTE, texture.rgba.data());
+    glGenerateTextureMipmap(result.name());
+    glTextureParameteri(result.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(result.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameterf(result.name(), GL_TEXTURE_MAX_ANISOTROPY, 4.0F);
+    return result;
+}
+
+void describe_vertices(GLuint array, GLuint vertices, GLuint indices) {
+    glVertexArrayVertexBuffer(array, 0, vertices, 0, sizeof(Vertex));
+    glVertexArrayElementBuffer(array, indices);
+    struct Attribute {
+        GLint components;
+        GLenum type;
+        GLboolean normalized;
+        std::size_t offset;
+    };
+    const Attribute attributes[] = {
+        {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position_m)},
+        {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normal)},
+        {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, tangent)},
+        {2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv)},
+        {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color)},
+    };
+    for (GLuint i = 0; i < std::size(attributes); ++i) {
+        glEnableVertexArrayAttrib(array, i);
+        glVertexArrayAttribFormat(array, i, attributes[i].components, attributes[i].type,
+                                  attributes[i].normalized,
+                                  static_cast<GLuint>(attributes[i].offset));
+        glVertexArrayAttribBinding(array, i, 0);
+    }
+}
+
+}  // namespace
+
+GpuScene::GpuScene(const Scene& scene)
+    : vertex_array_(gl::VertexArray::make()),
+      vertices_(gl::Buffer::make()),
+      indices_(gl::Buffer::make()),
+      materials_(scene.materials),
+      bounds_(bounds_of(scene)) {
+    check_scene(scene);
+    std::size_t vertex_count = 0;
+    std::size_t index_count = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.indices.empty()) continue;
+        draws_.push_back({static_cast<GLsizei>(mesh.indices.size()), index_count,
+                          static_cast<GLint>(vertex_count), mesh.material});
+        vertex_count += mesh.vertices.size();
+        index_count += mesh.indices.size();
+    }
+    glNamedBufferStorage(
+        vertices_.name(),
+        static_cast<GLsizeiptr>(std::max<std::size_t>(vertex_count, 1) * sizeof(Vertex)), nullptr,
+        GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(
+        indices_.name(),
+        static_cast<GLsizeiptr>(std::max<std::size_t>(index_count, 1) * sizeof(std::uint32_t)),
+        nullptr, GL_DYNAMIC_STORAGE_BIT);
+    GLintptr vertex_offset = 0;
+    GLintptr index_offset = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.indices.empty()) continue;
+        const auto vertex_bytes = static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex));
+        const auto index_bytes =
+            static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t));
+        glNamedBufferSubData(vertices_.name(), vertex_offset, vertex_bytes, mesh.vertices.data());
+        glNamedBufferSubData(indices_.name(), index_offset, index_bytes, mesh.indices.data());
+        vertex_offset += vertex_bytes;
+        index_offset += index_bytes;
+    }
+    describe_vertices(vertex_array_.name(), vertices_.name(), indices_.name());
+    for (const Texture& texture : scene.textures) textures_.push_back(upload(scene, texture));
+}
+
+}  // namespace obscura::renderer

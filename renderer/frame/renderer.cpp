@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/renderer.h"
+
+#include <chrono>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/job.h"
+#include "renderer/passes/shared_constants.h"
+#include "renderer/technique/sampling.h"
+
+namespace obscura::renderer {
+namespace {
+
+/// A width x height texture of unfiltered float vectors.
+gl::Texture vector_texture(const std::vector<glm::vec3>& values, int width, int height) {
+    gl::Texture texture = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
+    glTextureStorage2D(texture.name(), 1, GL_RGB32F, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGB, GL_FLOAT, values.data());
+    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+}  // namespace
+
+Renderer::Renderer()
+    : framebuffer_(gl::Framebuffer::make()),
+      empty_(gl::VertexArray::make()),
+      rotations_(vector_texture(rotation_tile(), kTileSize, kTileSize)) {}
+
+Renderer::~Renderer() = default;
+
+gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
+                               const Defines& defines) {
+    std::string key = vertex + '|' + fragment;
+    for (const std::string& define : defines) key += '|' + define;
+    auto& entry = programs_[key];
+    if (!entry) entry = std::make_unique<gl::Program>(vertex, fragment, defines);
+    return *entry;
+}
+
+const gl::Texture& Renderer::kernel(int samples) {
+    gl::Texture& texture = kernels_[samples];
+    if (!texture) texture = vector_texture(ball_kernel(samples), samples, 1);
+    return texture;
+}
+
+const Renderer::EnvironmentData& Renderer::environment(
+    const std::shared_ptr<const Environment>& source) {
+    EnvironmentData& data = environments_[source];
+    if (!data.texture) {
+        data.irradiance = project_irradiance(*source);
+        data.texture = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
+        const GLuint name = data.texture.name();
+        glTextureStorage2D(name, 1, GL_RGB16F, source->width, source->height);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTextureSubImage2D(name, 0, 0, 0, source->width, source->height, GL_RGB, GL_FLOAT,
+                            source->radiance.data());
+        glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    return data;
+}
+
+void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, int unit) {
+    glBindTextureUnit(static_cast<GLuint>(unit), texture);
+    program.set(sampler, unit);
+}
+
+void Renderer::attach(Job& job, const std::vector<Target>& targets) {
+    constexpr int kSlots = 4;
+    const GLuint name = framebuffer_.name();
+    std::vector<GLenum> buffers;
+    for (int i = 0; i < kSlots; ++i) {
+        glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), 0, 0);
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+        const bool present = job.has(targets[i]);
+        if (present) glNamedFramebufferTexture(name, slot, job.frame.texture(targets[i]), 0);
+        buffers.push_back(present ? slot : GL_NONE);
+    }
+    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, job.frame.texture(Target::kVisibility), 0);
+    glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
+    if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw base::failure("the driver cannot render to the buffers that a frame of {}x{} needs",
+                            job.plan.width, job.plan.height);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    glViewport(0, 0, job.plan.width, job.plan.height);
+}
+
+void Renderer::full_screen(gl::Program& program, GLenum test) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(test);
+    program.use();
+    glBindVertexArray(empty_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
+                       const TechniqueChoice& choice, const FramePlan& plan) {
+    Frame frame(plan);
+    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height), frame};
+    using Run = void (Renderer::*)(Job&);
+    static const std::map<Pass, Run> kRuns = {
+        {Pass::kGeometry, &Renderer::run_geometry},
+        {Pass::kShadow, &Renderer::run_shadow},
+        {Pass::kAccessibility, &Renderer::run_accessibility},
+        {Pass::kDenoise, &Renderer::run_denoise},
+        {Pass::kLight, &Renderer::run_light},
+        {Pass::kSky, &Renderer::run_sky},
+        {Pass::kComposite, &Renderer::run_composite},
+        {Pass::kToneMap, &Renderer::run_tone_map},
+    };
+    glFinish();
+    for (const PlannedPass& planned : plan.passes) {
+        const auto start = std::chrono::steady_clock::now();
+        (this->*kRuns.at(planned.pass))(job);
+        glFinish();
+        const std::chrono::duration<double, std::milli> spent =
+            std::chrono::steady_clock::now() - start;
+        frame.times.push_back({planned.pass, spent.count()});
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glUseProgram(0);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+        throw base::failure("rendering failed: OpenGL error 0x{:x}", error);
+    }
+    return frame;
+}
+
+}  // namespace obscura::renderer

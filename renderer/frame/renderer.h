@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/frame/camera.h"
+#include "renderer/frame/frame.h"
+#include "renderer/frame/gpu_scene.h"
+#include "renderer/gl/program.h"
+
+namespace obscura::renderer {
+
+/// Turns a planned frame into images. Needs a current OpenGL 4.5 context for as long as it lives;
+/// shaders are compiled once, when a plan first needs them.
+class Renderer {
+  public:
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
+    /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`.
+    [[nodiscard]] Frame render(const GpuScene& scene, const Lighting& lighting,
+                               const Camera& camera, const TechniqueChoice& choice,
+                               const FramePlan& plan);
+
+  private:
+    struct Job;
+    using Defines = std::vector<std::string>;
+
+    gl::Program& program(const std::string& vertex, const std::string& fragment,
+                         const Defines& defines);
+    /// An environment as the passes use it.
+    struct EnvironmentData {
+        gl::Texture texture;
+        IrradianceSh irradiance{};
+    };
+    const EnvironmentData& environment(const std::shared_ptr<const Environment>& source);
+    const gl::Texture& kernel(int samples);
+
+    void run_geometry(Job& job);
+    void run_shadow(Job& job);
+    void run_accessibility(Job& job);
+    void run_denoise(Job& job);
+    void run_light(Job& job);
+    void run_sky(Job& job);
+    void run_composite(Job& job);
+    void run_tone_map(Job& job);
+
+    /// Makes `targets` the colour outputs 0, 1, ... (those that the plan has not are skipped), and
+    /// the visibility buffer the depth that is tested.
+    void attach(Job& job, const std::vector<Target>& targets);
+    /// Draws over the whole image, at the far plane, where the visibility buffer passes the test:
+    /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
+    void full_screen(gl::Program& program, GLenum test);
+    void bind(gl::Program& program, const char* sampler, GLuint texture, int unit);
+
+    gl::Framebuffer framebuffer_;
+    gl::VertexArray empty_;
+    gl::Texture rotations_;
+    std::map<std::string, std::unique_ptr<gl::Program>> programs_;
+    std::map<int, gl::Texture> kernels_;
+    std::map<std::shared_ptr<const Environment>, EnvironmentData> environments_;
+};
+
+}  // namespace obscura::renderer

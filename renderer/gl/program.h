@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "renderer/gl/handles.h"
+
+namespace obscura::renderer::gl {
+
+/// A vertex and a fragment shader, linked. Sources are named by their path below renderer/:
+/// embedded in the program, or read from the folder in OBSCURA_SHADERS where that is set. A line
+/// `#include "path"` is replaced by that file, once.
+class Program {
+  public:
+    /// Every define becomes `#define TEXT` at the top of both shaders. Throws failure with the
+    /// shader's name and the driver's log.
+    Program(const std::string& vertex, const std::string& fragment,
+            const std::vector<std::string>& defines);
+
+    void use() const;
+    // A uniform that the shader does not use is ignored, as the compiler may have removed it.
+    void set(const char* uniform, int value);
+    void set(const char* uniform, float value);
+    void set(const char* uniform, const glm::vec2& value);
+    void set(const char* uniform, const glm::vec3& value);
+    void set(const char* uniform, const glm::mat3& value);
+    void set(const char* uniform, const glm::mat4& value);
+    void set(const char* uniform, std::span<const glm::vec3> values);
+    void set(const char* uniform, std::span<const glm::mat4> values);
+
+  private:
+    [[nodiscard]] GLint location(const char* uniform);
+
+    ProgramName program_;
+    std::unordered_map<std::string, GLint> locations_;
+};
+
+/// The text of a shader file with its includes in place. Throws failure naming what is missing.
+[[nodiscard]] std::string shader_source(const std::string& path);
+
+}  // namespace obscura::renderer::gl

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/light/environment.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/base/error.h"
+
+namespace obscura::renderer {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Real spherical harmonics of order 0 to 2, in the order of Ramamoorthi and Hanrahan 2001, eq. 3.
+std::array<double, 9> harmonics(const glm::dvec3& n) {
+    return {0.282095,
+            0.488603 * n.y,
+            0.488603 * n.z,
+            0.488603 * n.x,
+            1.092548 * n.x * n.y,
+            1.092548 * n.y * n.z,
+            0.315392 * (3.0 * n.z * n.z - 1.0),
+            1.092548 * n.x * n.z,
+            0.546274 * (n.x * n.x - n.y * n.y)};
+}
+
+}  // namespace
+
+glm::vec3 direction_of_texel(const Environment& environment, int column, int row) {
+    const double phi = 2.0 * kPi * (column + 0.5) / environment.width;
+    const double theta = kPi * (row + 0.5) / environment.height;
+    return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+}
+
+glm::vec3 Environment::look_up(const glm::vec3& direction) const {
+    const double u = std::atan2(direction.x, -direction.z) / (2.0 * kPi);
+    const double v = std::acos(std::clamp(static_cast<double>(direction.y), -1.0, 1.0)) / kPi;
+    const int column = static_cast<int>(std::floor((u - std::floor(u)) * width));
+    const int row = std::clamp(static_cast<int>(v * height), 0, height - 1);
+    return radiance[static_cast<std::size_t>(row) * width + std::min(column, width - 1)];
+}
+
+Environment load_environment(const std::filesystem::path& file) {
+    OIIO::ImageBuf image(file.string());
+    if (!image.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
+        throw base::bad_input("the environment {} cannot be read: {}", file.string(),
+                              image.geterror());
+    }
+    const OIIO::ImageSpec& spec = image.spec();
+    if (spec.nchannels < 3 || spec.width < 2 || spec.height < 2) {
+        throw base::bad_input(
+            "the environment {} is {}x{} with {} channels; an equirectangular RGB image is needed",
+            file.string(), spec.width, spec.height, spec.nchannels);
+    }
+    Environment environment;
+    environment.name = file.filename().string();
+    environment.width = spec.width;
+    environment.height = spec.height;
+    environment.radiance.resize(static_cast<std::size_t>(spec.width) * spec.height);
+    const OIIO::ROI roi(0, spec.width, 0, spec.height, 0, 1, 0, 3);
+    image.get_pixels(roi, OIIO::TypeDesc::FLOAT, environment.radiance.data());
+    for (glm::vec3& value : environment.radiance) {
+        for (int i = 0; i < 3; ++i) {
+            if (!(value[i] >= 0.0F && value[i] < 6e4F)) {
+                throw base::bad_input(
+                    "the environment {} holds the radiance {}; allowed is 0 to "
+                    "60000",
+                    file.string(), value[i]);
+            }
+        }
+    }
+    return environment;
+}
+
+IrradianceSh project_irradiance(const Environment& environment) {
+    std::array<glm::dvec3, 9> sum{};
+    for (int row = 0; row < environment.height; ++row) {
+        // The exact solid angle of a texel in this row.
+        const double solid_angle = 2.0 * kPi / environment.width *
+                                   (std::cos(kPi * row / environment.height) -
+                                    std::cos(kPi * (row + 1) / environment.height));
+        for (int column = 0; column < environment.width; ++column) {
+            const glm::dvec3 radiance =
+                environment.radiance[static_cast<std::size_t>(row) * environment.width + column];
+            const std::array<double, 9> y = harmonics(direction_of_texel(environment, column, row));
+            for (int i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solid_angle);
+        }
+    }
+    // Convolution with the cosine (Ramamoorthi and Hanrahan 2001, eq. 8: A = pi, 2 pi/3, pi/4),
+    // divided by pi.
+    constexpr std::array<double, 9> kCosine = {1.0,  2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25,
+                                               0.25, 0.25,    0.25,    0.25};
+    IrradianceSh sh;
+    for (int i = 0; i < 9; ++i) sh[i] = sum[i] * kCosine[i];
+    return sh;
+}
+
+glm::vec3 evaluate_irradiance(const IrradianceSh& sh, const glm::vec3& normal) {
+    const std::array<double, 9> y = harmonics(normal);
+    glm::vec3 sum(0.0F);
+    for (int i = 0; i < 9; ++i) sum += sh[i] * static_cast<float>(y[i]);
+    return glm::max(sum, glm::vec3(0.0F));
+}
+
+}  // namespace obscura::renderer

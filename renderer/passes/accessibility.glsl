@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// Included at the end of a technique's file, which defines `float accessibility(vec2 uv, float z)`.
+// Runs on every pixel that a triangle covers; the target is cleared to 1 before, so that empty pixels
+// are exactly 1.
+#ifndef SAMPLES
+#error the number of samples must be defined
+#endif
+
+layout(location = 0) out float o_accessibility;
+
+void main() {
+    vec2 uv = gl_FragCoord.xy / u_size;
+    float z = texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).r;
+    o_accessibility = z >= kBackgroundLimit_m ? 1.0 : accessibility(uv, z);
+}

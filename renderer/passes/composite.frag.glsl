@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// Jakobsen 2010, equation 5: accessibility scales the ambient term and nothing else.
+#include "passes/display.glsl"
+
+uniform sampler2D t_albedo;
+#ifdef ACCESSIBILITY
+uniform sampler2D t_accessibility;
+#endif
+#ifdef ENVIRONMENT
+uniform sampler2D t_ambient;
+#else
+uniform vec3 u_ambient;
+#endif
+#ifdef LIGHTS
+uniform sampler2D t_direct;
+#endif
+layout(location = 0) out vec4 o_color;
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    vec4 albedo = texelFetch(t_albedo, here, 0);
+#ifdef ENVIRONMENT
+    vec3 light = texelFetch(t_ambient, here, 0).rgb;
+#else
+    vec3 light = u_ambient;
+#endif
+#ifdef ACCESSIBILITY
+    light *= clamp(texelFetch(t_accessibility, here, 0).r, 0.0, 1.0);
+#endif
+#ifdef LIGHTS
+    vec4 direct = texelFetch(t_direct, here, 0);
+    light += direct.rgb;
+#endif
+    vec3 color = albedo.rgb * light;
+#ifdef SPECULAR
+    color += albedo.a * direct.a;
+#endif
+#ifdef TONE_MAPPING
+    o_color = vec4(color, 1.0);
+#else
+    o_color = vec4(encode_srgb(color), 1.0);
+#endif
+}

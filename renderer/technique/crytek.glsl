@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// Jakobsen 2010, Appendix A, after Kajalin 2009: texture space, depth only. Its artefacts are kept:
+// a wall that faces the camera has 0.75, convex edges are brighter, near pillars darken a far wall.
+#include "passes/view.glsl"
+#include "technique/sampling.glsl"
+
+uniform float p_offset_scale;
+uniform float u_far_m;
+
+// The rotation that takes +Z to the unit vector r; orthonormal for every r, -Z included
+// (Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3).
+mat3 rotation_to(vec3 r) {
+    float s = r.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (s + r.z);
+    float b = r.x * r.y * a;
+    return mat3(vec3(1.0 + s * r.x * r.x * a, s * b, -s * r.x), vec3(b, s + r.y * r.y * a, -r.y),
+                r);
+}
+
+float accessibility(vec2 uv, float z) {
+    mat3 rotation = rotation_to(random_vector());
+    float d = z / u_far_m;
+    float scale = p_offset_scale;
+    float sum = 0.0;
+    for (int i = 0; i < SAMPLES; ++i) {
+        // The corners of the unit cube, normalised, in rounds of eight.
+        vec3 corner = (vec3((i >> 2) & 1, (i >> 1) & 1, i & 1) * 2.0 - 1.0) * 0.57735026919;
+        scale *= 1.0 + 2.4 / float(SAMPLES);
+        vec3 offset = rotation * corner * scale;
+        vec3 point = vec3(uv + offset.xy, d + offset.z * d);
+        float ds = depth_at(point.xy) / u_far_m;
+        sum += ds >= 1.0 ? 1.0 : mix(ds > point.z ? 1.0 : 0.0, 0.5, clamp(d - ds, 0.0, 1.0));
+    }
+    float mean = sum / float(SAMPLES);
+    return clamp(mean * mean + mean, 0.0, 1.0);
+}
+
+#include "passes/accessibility.glsl"

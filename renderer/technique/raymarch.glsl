@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// Jakobsen 2010, Appendix C, after Bavoil and Sainz 2009: as `blizzard`, but the first of four equal
+// steps that finds an occluder counts.
+#include "technique/view_space.glsl"
+
+const int kSteps = 4;
+
+float accessibility(vec2 uv, float z) {
+    vec3 p = view_ray(uv) * z;
+    vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
+    vec3 r = random_vector();
+    float sum = 0.0;
+    for (int i = 0; i < SAMPLES; ++i) {
+        vec3 step_m = sample_offset(i, r, n) / float(kSteps);
+        float delta = 0.0;
+        for (int k = 1; k <= kSteps; ++k) {
+            delta = depth_difference(p + step_m * float(k), z);
+            if (delta >= p_full_threshold_m) break;
+        }
+        sum += sample_accessibility(delta);
+    }
+    return sum / float(SAMPLES);
+}
+
+#include "passes/accessibility.glsl"

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "stimuli/manifest.h"
+#include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/study.h"
+
+namespace obscura::stimuli {
+
+/// Which images of a study to make.
+struct Selection {
+    std::string pair;  ///< id of one condition; empty: all
+    int shard = 1;     ///< this one of `shards` parts, from 1
+    int shards = 1;
+};
+
+/// What a run of generate() did.
+struct Generated {
+    int made = 0;
+    int kept = 0;           ///< were there already, from the same inputs
+    bool complete = false;  ///< every image of the study is there, and manifest.json lists them all
+};
+
+/// Makes the selected images in `folder`, without a display. Each file is written beside and
+/// renamed; a finished one whose inputs are the same is kept. manifest.json lists, at any moment,
+/// images that are finished; parts (`shards` > 1) keep a list of their own, manifest-K-of-N.json,
+/// and whichever part finds all images finished writes manifest.json. Throws bad input for an
+/// unknown pair or part, failure when a file cannot be written.
+Generated generate(const Study& study, const Selection& selection,
+                   const std::filesystem::path& folder, bool quiet,
+                   const std::vector<BuiltinScene>& catalogue = builtin_scenes());
+
+/// Renders the selected images in memory and says, a sentence each, which files differ from what
+/// this program renders, from the manifest, or are missing. Empty when all agree.
+[[nodiscard]] std::vector<std::string> verify(
+    const Study& study, const Selection& selection, const std::filesystem::path& folder, bool quiet,
+    const std::vector<BuiltinScene>& catalogue = builtin_scenes());
+
+/// Renders the selected images in memory and tells of each its passes with milliseconds (of a
+/// second rendering, when shaders are compiled), its buffers with bytes, and what was left out.
+[[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet,
+                                  const std::vector<BuiltinScene>& catalogue = builtin_scenes());
+
+}  // namespace obscura::stimuli

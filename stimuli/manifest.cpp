@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/manifest.h"
+
+#include <fmt/format.h>
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/hash.h"
+
+namespace obscura::stimuli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array kSides{"a", "b"};
+
+Json to_json(const ManifestImage& image) {
+    return {{"file", image.file},
+            {"sha256", image.sha256},
+            {"condition", image.condition},
+            {"side", image.side},
+            {"scene", image.scene},
+            {"validity", image.validity},
+            {"technique", image.technique},
+            {"samples", image.samples},
+            {"parameters", image.parameters},
+            {"denoise", image.denoise},
+            {"width", image.width},
+            {"height", image.height},
+            {"passes", image.passes},
+            {"milliseconds", image.milliseconds},
+            {"inputs_sha256", image.inputs_sha256}};
+}
+
+ManifestImage image_from(const Json& json) {
+    ManifestImage image;
+    json.at("file").get_to(image.file);
+    json.at("sha256").get_to(image.sha256);
+    json.at("condition").get_to(image.condition);
+    json.at("side").get_to(image.side);
+    json.at("scene").get_to(image.scene);
+    json.at("validity").get_to(image.validity);
+    json.at("technique").get_to(image.technique);
+    json.at("samples").get_to(image.samples);
+    json.at("parameters").get_to(image.parameters);
+    json.at("denoise").get_to(image.denoise);
+    json.at("width").get_to(image.width);
+    json.at("height").get_to(image.height);
+    json.at("passes").get_to(image.passes);
+    json.at("milliseconds").get_to(image.milliseconds);
+    json.at("inputs_sha256").get_to(image.inputs_sha256);
+    // The file is opened in the manifest's folder and nowhere else.
+    if (image.file.empty() || image.file != std::filesystem::path(image.file).filename().string() ||
+        image.file == "." || image.file == "..") {
+        throw base::bad_input("file \"{}\" is no file name", image.file);
+    }
+    return image;
+}
+
+/// Looks at the file itself, since a manifest can be edited.
+std::string problem_of_size(const Study& study, const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+        return fmt::format("{}: no image that can be read: {}", path.string(), OIIO::geterror());
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.width == study.width && spec.height == study.height) return "";
+    return fmt::format("{}: the image is {}x{} pixels, the study asks for {}x{}", path.string(),
+                       spec.width, spec.height, study.width, study.height);
+}
+
+std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
+                             const Manifest& manifest, const std::filesystem::path& folder) {
+    const ManifestImage* image = manifest.find(condition.id, side);
+    if (image == nullptr) {
+        return fmt::format("{}: it has no entry for condition {}, image {}",
+                           (folder / "manifest.json").string(), condition.id, side);
+    }
+    const std::filesystem::path path = folder / image->file;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        return fmt::format("{}: the file is missing", path.string());
+    }
+    try {
+        const std::string met = base::sha256_hex(base::read_file(path));
+        if (met != image->sha256) {
+            return fmt::format("{}: the file was changed: its SHA-256 is {}, the manifest says {}",
+                               path.string(), met, image->sha256);
+        }
+    } catch (const base::Error& unreadable) {
+        return unreadable.what();
+    }
+    return problem_of_size(study, path);
+}
+
+}  // namespace
+
+const ManifestImage* Manifest::find(const std::string& condition, const std::string& side) const {
+    const auto found = std::find_if(images.begin(), images.end(), [&](const auto& image) {
+        return image.condition == condition && image.side == side;
+    });
+    return found != images.end() ? &*found : nullptr;
+}
+
+Manifest load_manifest(const std::filesystem::path& file) {
+    const std::string text = base::read_file(file);
+    Manifest manifest;
+    std::size_t index = 0;
+    bool in_images = false;
+    try {
+        const Json json = Json::parse(text);
+        json.at("study").get_to(manifest.study);
+        json.at("seed").get_to(manifest.seed);
+        json.at("gpu_renderer").get_to(manifest.gpu_renderer);
+        const Json& images = json.at("images");
+        if (!images.is_array()) throw base::bad_input("images is no array");
+        in_images = true;
+        for (; index < images.size(); ++index) {
+            manifest.images.push_back(image_from(images[index]));
+        }
+    } catch (const std::exception& error) {  // of nlohmann-json, or bad input from above
+        const std::string where = in_images ? fmt::format("images[{}]: ", index) : "";
+        throw base::bad_input("{}: not a manifest of stimuli: {}{}", file.string(), where,
+                              error.what());
+    }
+    return manifest;
+}
+
+void save_manifest(const std::filesystem::path& file, const Manifest& manifest) {
+    Json json = {{"study", manifest.study},
+                 {"seed", manifest.seed},
+                 {"gpu_renderer", manifest.gpu_renderer},
+                 {"images", Json::array()}};
+    for (const ManifestImage& image : manifest.images) json["images"].push_back(to_json(image));
+    base::write_file_atomically(file, json.dump(2) + "\n");
+}
+
+std::filesystem::path stimuli_folder(const std::filesystem::path& data, const Study& study) {
+    return data / "stimuli" / study.name;
+}
+
+std::vector<std::string> problems_of_stimuli(const Study& study,
+                                             const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "manifest.json";
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return {fmt::format("{}: the file is missing; obscura render makes it", file.string())};
+    }
+    Manifest manifest;
+    try {
+        manifest = load_manifest(file);
+    } catch (const base::Error& wrong) {
+        return {wrong.what()};
+    }
+    std::vector<std::string> problems;
+    if (manifest.study != study.name) {
+        problems.push_back(fmt::format("{}: it belongs to the study {}, not to {}", file.string(),
+                                       manifest.study, study.name));
+    }
+    for (const Condition& condition : study.conditions) {
+        for (const char* side : kSides) {
+            std::string problem = problem_of_image(study, condition, side, manifest, folder);
+            if (!problem.empty()) problems.push_back(std::move(problem));
+        }
+    }
+    return problems;
+}
+
+}  // namespace obscura::stimuli

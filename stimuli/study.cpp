@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/study.h"
+
+#include <algorithm>
+#include <cassert>
+#include <filesystem>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "stimuli/embedded.h"
+#include "stimuli/study_reader.h"
+
+namespace obscura::stimuli {
+namespace {
+
+constexpr std::string_view kDefaultStudy = "jakobsen2010";
+
+std::string embedded_file_of(std::string_view study) {
+    return fmt::format("studies/{}.toml", study);
+}
+
+std::string builtin_names() {
+    std::string names;
+    for (const std::string_view file : embedded_names()) {
+        if (!file.starts_with("studies/")) continue;
+        names += (names.empty() ? "" : ", ") + std::filesystem::path(file).stem().string();
+    }
+    return names;
+}
+
+}  // namespace
+
+const StudyScene& Study::scene_of(const Condition& condition) const {
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const auto& scene) { return scene.id == condition.scene; });
+    assert(found != scenes.end());  // a checked study has every scene that it names
+    return *found;
+}
+
+const Condition* Study::find_condition(std::string_view id) const {
+    const auto found = std::find_if(conditions.begin(), conditions.end(),
+                                    [&](const auto& condition) { return condition.id == id; });
+    return found != conditions.end() ? &*found : nullptr;
+}
+
+std::vector<StudyProblem> problems_of_study(std::string_view text) {
+    return read_study(text, builtin_scenes()).problems;
+}
+
+StudySource study_source(const std::string& file_or_name) {
+    const std::string wanted = file_or_name.empty() ? std::string(kDefaultStudy) : file_or_name;
+    const std::string_view builtin = embedded(embedded_file_of(wanted));
+    if (builtin.data() != nullptr) return {wanted, std::string(builtin)};
+    std::error_code ignored;
+    if (!std::filesystem::exists(wanted, ignored)) {
+        throw base::bad_input(
+            "there is no study file {} and no built-in study of that name; "
+            "built in are {}",
+            wanted, builtin_names());
+    }
+    return {wanted, base::read_file(wanted)};
+}
+
+std::string to_lines(const std::vector<StudyProblem>& problems, const std::string& name) {
+    std::string lines;
+    for (const StudyProblem& problem : problems) {
+        if (!lines.empty()) lines += '\n';
+        lines += problem.line > 0 ? fmt::format("{}:{}: {}", name, problem.line, problem.message)
+                                  : fmt::format("{}: {}", name, problem.message);
+    }
+    return lines;
+}
+
+Study parse_study(std::string_view text, const std::string& name) {
+    StudyReading reading = read_study(text, builtin_scenes());
+    if (!reading.problems.empty()) throw base::bad_input("{}", to_lines(reading.problems, name));
+    return std::move(reading.study);
+}
+
+Study load_study(const std::string& file_or_name) {
+    const StudySource source = study_source(file_or_name);
+    return parse_study(source.text, source.name);
+}
+
+}  // namespace obscura::stimuli

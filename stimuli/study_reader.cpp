@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/study_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "renderer/base/hash.h"
+#include "stimuli/table_reader.h"
+#include "stimuli/variant_reader.h"
+
+namespace obscura::stimuli {
+namespace {
+
+using Need = TableReader::Need;
+using Problems = std::vector<StudyProblem>;
+
+constexpr std::int64_t kMostPixels = 16384;  // a side; what OpenGL 4.5 drivers allow at least
+constexpr std::int64_t kMostGreyMs = 60000;
+constexpr std::size_t kLongestId = 64;
+
+template <typename List>
+std::vector<std::string> names_of(const List& list) {
+    std::vector<std::string> names;
+    for (const auto& value : list) names.emplace_back(to_string(value));
+    return names;
+}
+
+/// A text that is not blank.
+std::string read_text(TableReader& reader, const std::string& key, Need need) {
+    const std::optional<std::string> text = reader.text(key, need);
+    if (!text) return "";
+    if (text->find_first_not_of(" \t\n") == std::string::npos) {
+        reader.add(key, "is empty, allowed is a text");
+    }
+    return *text;
+}
+
+/// A text that can be part of a file's name everywhere; empty where it is missing or wrong.
+std::string read_id(TableReader& reader, const std::string& key) {
+    const std::optional<std::string> id = reader.text(key, Need::kRequired);
+    if (!id) return "";
+    const auto safe = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_' || c == '.';
+    };
+    if (id->empty() || id->size() > kLongestId || id->front() == '.' || id->front() == '-' ||
+        !std::all_of(id->begin(), id->end(), safe)) {
+        reader.add(key, fmt::format("{} cannot be part of a file name, allowed are 1 to {} of "
+                                    "A-Z a-z 0-9 - _ . not beginning with - or .",
+                                    in_quotes(*id), kLongestId));
+        return "";
+    }
+    return *id;
+}
+
+/// A text out of a list of names; nothing where it is missing or wrong.
+std::optional<std::string> read_choice(TableReader& reader, const std::string& key, Need need,
+                                       const std::vector<std::string>& names) {
+    std::optional<std::string> choice = reader.text(key, need);
+    if (!choice) return std::nullopt;
+    if (std::find(names.begin(), names.end(), *choice) == names.end()) {
+        reader.add(key, fmt::format("{} is unknown, allowed are {}{}", in_quotes(*choice),
+                                    listed(names), did_you_mean(*choice, names)));
+        return std::nullopt;
+    }
+    return choice;
+}
+
+void read_resolution(TableReader& reader, Study& study) {
+    const std::string wanted =
+        fmt::format("a pair of integers from 1 to {}: [width, height]", kMostPixels);
+    const toml::array* sides = reader.array("resolution", Need::kOptional, wanted);
+    if (sides == nullptr) return;
+    if (sides->size() != 2) {
+        reader.add("resolution",
+                   fmt::format("has {} values, allowed is {}", sides->size(), wanted));
+        return;
+    }
+    std::array<int, 2> pixels{study.width, study.height};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const toml::value<std::int64_t>* side = sides->get(i)->as_integer();
+        if (side == nullptr) {
+            reader.add("resolution",
+                       fmt::format("value {} is no integer, allowed is {}", i + 1, wanted));
+        } else if (**side < 1 || **side > kMostPixels) {
+            reader.add("resolution",
+                       fmt::format("{} is out of range, allowed is {}", **side, wanted));
+        } else {
+            pixels[i] = static_cast<int>(**side);
+        }
+    }
+    study.width = pixels[0];
+    study.height = pixels[1];
+}
+
+void read_study_table(const toml::table& table, Study& study, Problems& problems) {
+    TableReader reader(table, "study", problems);
+    study.name = read_id(reader, "name");
+    study.title = read_text(reader, "title", Need::kRequired);
+    study.question = read_text(reader, "question", Need::kRequired);
+    study.instructions = read_text(reader, "instructions", Need::kRequired);
+    study.thanks = read_text(reader, "thanks", Need::kOptional);
+    read_resolution(reader, study);
+    study.grey_ms = static_cast<int>(
+        reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
+    study.grey_level = static_cast<int>(
+        reader.integer("grey_level", Need::kOptional, 0, 255).value_or(study.grey_level));
+    const auto order = read_choice(reader, "order", Need::kOptional, names_of(kOrderKinds));
+    if (order) study.order = *order_kind_from(*order);
+    study.seed = static_cast<std::uint64_t>(
+        reader.integer("seed", Need::kRequired, 0, std::numeric_limits<std::int64_t>::max())
+            .value_or(0));
+    reader.finish();
+}
+
+/// How messages call the index-th table of an array of tables.
+std::string name_of_entry(const toml::table& table, std::string_view kind, std::size_t index) {
+    const std::optional<std::string> id = table["id"].value<std::string>();
+    return id ? fmt::format("{} {}", kind, in_quotes(*id)) : fmt::format("{} {}", kind, index + 1);
+}
+
+void refuse_second(TableReader& reader, const std::string& id, std::set<std::string>& seen) {
+    if (!id.empty() && !seen.insert(id).second) {
+        reader.add("id", fmt::format("{} is used twice, each must be another", in_quotes(id)));
+    }
+}
+
+/// The entries of an array of tables, with what is no table reported.
+std::vector<const toml::table*> read_entries(TableReader& root, const std::string& key) {
+    const std::string wanted = fmt::format("an array of tables, each begun with [[{}]]", key);
+    std::vector<const toml::table*> entries;
+    const toml::array* array = root.array(key, Need::kOptional, wanted);
+    if (array == nullptr) return entries;
+    for (const toml::node& node : *array) {
+        if (node.is_table()) entries.push_back(node.as_table());
+    }
+    if (entries.size() != array->size()) {
+        root.add(key, fmt::format("holds something that is no table, allowed is {}", wanted));
+    }
+    return entries;
+}
+
+void read_camera_and_level(TableReader& reader, const BuiltinScene& builtin, StudyScene& scene) {
+    scene.camera = read_choice(reader, "camera", Need::kRequired, builtin.cameras).value_or("");
+    const auto level = read_choice(reader, "validity", Need::kRequired, names_of(kValidities));
+    if (!level) return;
+    scene.validity = *validity_from(*level);
+    if (std::find(builtin.levels.begin(), builtin.levels.end(), scene.validity) ==
+        builtin.levels.end()) {
+        reader.add("validity", fmt::format("{} has no light for {}, allowed are {}", builtin.id,
+                                           in_quotes(*level), listed(names_of(builtin.levels))));
+    }
+}
+
+StudyScene read_scene(TableReader& reader, const std::vector<BuiltinScene>& catalogue) {
+    StudyScene scene;
+    scene.id = read_id(reader, "id");
+    std::vector<std::string> sources;
+    for (const BuiltinScene& builtin : catalogue) sources.push_back(builtin.id);
+    const auto source = read_choice(reader, "source", Need::kRequired, sources);
+    if (source) {
+        scene.source = *source;
+        const auto builtin = std::find_if(catalogue.begin(), catalogue.end(),
+                                          [&](const auto& b) { return b.id == *source; });
+        read_camera_and_level(reader, *builtin, scene);
+    } else {
+        // Which cameras and levels there are is not known without the source.
+        scene.camera = reader.text("camera", Need::kRequired).value_or("");
+        (void)read_choice(reader, "validity", Need::kRequired, names_of(kValidities));
+    }
+    reader.finish();
+    return scene;
+}
+
+/// One side of a condition; nothing where it is missing or something in it is wrong.
+std::optional<renderer::TechniqueChoice> read_side(TableReader& reader, const std::string& side,
+                                                   const std::string& where, Problems& problems) {
+    const toml::table* table = reader.table(side, Need::kRequired);
+    if (table == nullptr) return std::nullopt;
+    const std::size_t before = problems.size();
+    renderer::TechniqueChoice choice = read_variant(*table, where + ", " + side, problems);
+    if (problems.size() != before) return std::nullopt;
+    return choice;
+}
+
+Condition read_condition(TableReader& reader, const std::string& where,
+                         const std::vector<std::string>& scene_ids, Problems& problems) {
+    Condition condition;
+    condition.id = read_id(reader, "id");
+    const auto scene = reader.text("scene", Need::kRequired);
+    if (scene) {
+        condition.scene = *scene;
+        if (std::find(scene_ids.begin(), scene_ids.end(), *scene) == scene_ids.end()) {
+            reader.add("scene", fmt::format("{} is not defined by a [[scene]], defined are {}{}",
+                                            in_quotes(*scene), listed(scene_ids),
+                                            did_you_mean(*scene, scene_ids)));
+        }
+    }
+    condition.hypothesis = reader.text("hypothesis", Need::kOptional).value_or("");
+    const auto a = read_side(reader, "a", where, problems);
+    const auto b = read_side(reader, "b", where, problems);
+    if (a) condition.a = *a;
+    if (b) condition.b = *b;
+    if (a && b && same_variant(*a, *b)) {
+        reader.add("b", "is the same as a in every way: there would be nothing to choose between");
+    }
+    reader.finish();
+    return condition;
+}
+
+/// An order needs something to order; a single pair is a study only where its order is fixed.
+void check_condition_count(const Study& study, const std::vector<const toml::table*>& conditions,
+                           Problems& problems) {
+    if (conditions.empty()) {
+        problems.push_back({0, "no [[condition]]: a study needs at least one pair to show"});
+    } else if (conditions.size() == 1 && study.order != OrderKind::kFixed) {
+        problems.push_back(
+            {line_of(*conditions.front()),
+             fmt::format("order \"{}\" needs at least two conditions, there is 1; a single pair "
+                         "can be shown with order = \"fixed\"",
+                         to_string(study.order))});
+    } else if (conditions.size() > static_cast<std::size_t>(kMostConditions)) {
+        problems.push_back({line_of(*conditions[kMostConditions]),
+                            fmt::format("{} conditions, allowed are 1 to {}", conditions.size(),
+                                        kMostConditions)});
+    }
+}
+
+void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalogue, Study& study,
+               Problems& problems) {
+    TableReader reader(root, "file", problems);
+    const toml::table* table = reader.table("study", Need::kRequired);
+    if (table != nullptr) read_study_table(*table, study, problems);
+
+    std::set<std::string> seen;
+    std::vector<std::string> scene_ids;
+    const auto scenes = read_entries(reader, "scene");
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        TableReader entry(*scenes[i], name_of_entry(*scenes[i], "scene", i), problems);
+        study.scenes.push_back(read_scene(entry, catalogue));
+        const std::string& id = study.scenes.back().id;
+        if (!id.empty() && !seen.contains(id)) scene_ids.push_back(id);
+        refuse_second(entry, id, seen);
+    }
+    seen.clear();
+    const auto conditions = read_entries(reader, "condition");
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        const std::string where = name_of_entry(*conditions[i], "condition", i);
+        TableReader entry(*conditions[i], where, problems);
+        study.conditions.push_back(read_condition(entry, where, scene_ids, problems));
+        refuse_second(entry, study.conditions.back().id, seen);
+    }
+    const toml::node* array = root.get("condition");
+    if (array == nullptr || array->is_array()) check_condition_count(study, conditions, problems);
+    reader.finish();
+}
+
+}  // namespace
+
+StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& catalogue) {
+    StudyReading reading;
+    reading.study.sha256 = base::sha256_hex(text);
+    try {
+        read_root(toml::parse(text), catalogue, reading.study, reading.problems);
+    } catch (const toml::parse_error& error) {
+        reading.problems.push_back({static_cast<int>(error.source().begin.line),
+                                    fmt::format("not TOML: {}", error.description())});
+    }
+    std::stable_sort(reading.problems.begin(), reading.problems.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    return reading;
+}
+
+}  // namespace obscura::stimuli

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/study.h"
+
+namespace obscura::stimuli {
+
+/// A study file as far as it could be read, and everything wrong with it, ordered by line.
+/// The study is of use only where there is no problem.
+struct StudyReading {
+    Study study;
+    std::vector<StudyProblem> problems;
+};
+
+/// Reads the text of a study file against the scenes that there are. Throws nothing of its own.
+[[nodiscard]] StudyReading read_study(std::string_view text,
+                                      const std::vector<BuiltinScene>& catalogue);
+
+}  // namespace obscura::stimuli

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/table_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace obscura::stimuli {
+namespace {
+
+std::string_view type_in_words(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a number with a fraction";
+        case toml::node_type::boolean:
+            return "a truth value";
+        default:
+            return "a date or time";
+    }
+}
+
+/// Edits that turn one word into the other, an exchange of neighbours counting as one (the optimal
+/// string alignment distance).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> cost(a.size() + 1,
+                                               std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
+    for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+            }
+        }
+    }
+    return cost[a.size()][b.size()];
+}
+
+constexpr std::size_t kLongestShown = 60;  // bytes of a value that a message repeats
+
+}  // namespace
+
+std::string in_quotes(std::string_view value) {
+    std::string shown = "\"";
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(value[i]);
+        // Cut only where a character begins: bytes 10xxxxxx continue one in UTF-8.
+        if (i >= kLongestShown && (byte & 0xC0U) != 0x80U) return shown + "...\"";
+        if (byte < 0x20U || byte == 0x7FU) {
+            shown += fmt::format("\\x{:02x}", byte);
+        } else {
+            shown += value[i];
+        }
+    }
+    return shown + "\"";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& names) {
+    std::optional<std::string> best;
+    std::size_t best_distance = 0;
+    for (const std::string& name : names) {
+        const std::size_t longer = std::max(name.size(), word.size());
+        if (longer > kLongestShown) continue;
+        const std::size_t distance = edit_distance(word, name);
+        const bool extended = word.size() >= 3 && name.starts_with(word);  // radius for radius_m
+        if (3 * distance > longer && !extended) continue;
+        if (!best || distance < best_distance) {
+            best = name;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
+    const std::optional<std::string> guess = nearest(word, names);
+    return guess ? fmt::format("; did you mean \"{}\"?", *guess) : "";
+}
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+TableReader::TableReader(const toml::table& table, std::string where,
+                         std::vector<StudyProblem>& problems)
+    : table_(table), where_(std::move(where)), problems_(problems) {}
+
+void TableReader::add(const std::string& key, const std::string& message) {
+    const auto found = table_.find(key);
+    const int line = found != table_.end() ? static_cast<int>(found->first.source().begin.line)
+                                           : line_of(table_);
+    problems_.push_back({line, fmt::format("{}: {}: {}", where_, key, message)});
+}
+
+void TableReader::wrong_type(const std::string& key, const toml::node& value,
+                             std::string_view wanted) {
+    add(key, fmt::format("is {}, allowed is {}", type_in_words(value), wanted));
+}
+
+void TableReader::allow(const std::string& key) {
+    if (std::find(allowed_.begin(), allowed_.end(), key) == allowed_.end()) {
+        allowed_.push_back(key);
+    }
+}
+
+const toml::node* TableReader::find(const std::string& key, Need need) {
+    allow(key);
+    const toml::node* value = table_.get(key);
+    if (value == nullptr && need == Need::kRequired) missing_.push_back(key);
+    return value;
+}
+
+std::optional<std::string> TableReader::text(const std::string& key, Need need) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_string()) {
+        wrong_type(key, *value, "a string");
+        return std::nullopt;
+    }
+    std::string text = **value->as_string();
+    for (std::size_t at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at)) {
+        text.erase(at, 1);  // a file saved with the line ends of Windows means the same
+    }
+    const auto forbidden = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == 0x7F;
+    };
+    if (std::any_of(text.begin(), text.end(), forbidden)) {
+        add(key, fmt::format("{} holds a control character, allowed are text, line breaks and tabs",
+                             in_quotes(text)));
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::optional<std::int64_t> TableReader::integer(const std::string& key, Need need,
+                                                 std::int64_t low, std::int64_t high) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_integer()) {
+        wrong_type(key, *value, fmt::format("an integer from {} to {}", low, high));
+        return std::nullopt;
+    }
+    const std::int64_t number = **value->as_integer();
+    if (number < low || number > high) {
+        add(key, fmt::format("{} is out of range, allowed is {} to {}", number, low, high));
+        return std::nullopt;
+    }
+    return number;
+}
+
+std::optional<double> TableReader::number(const std::string& key, Need need) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_number()) {
+        wrong_type(key, *value, "a number");
+        return std::nullopt;
+    }
+    return value->value<double>();
+}
+
+const toml::array* TableReader::array(const std::string& key, Need need, std::string_view wanted) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return nullptr;
+    if (!value->is_array()) wrong_type(key, *value, wanted);
+    return value->as_array();
+}
+
+const toml::table* TableReader::table(const std::string& key, Need need) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return nullptr;
+    if (!value->is_table()) wrong_type(key, *value, "a table");
+    return value->as_table();
+}
+
+void TableReader::finish() {
+    for (const auto& [key, value] : table_) {
+        const std::string name{key.str()};
+        if (std::find(allowed_.begin(), allowed_.end(), name) != allowed_.end()) continue;
+        problems_.push_back(
+            {static_cast<int>(key.source().begin.line),
+             fmt::format("{}: {} is an unknown key, allowed are {}{}", where_, in_quotes(name),
+                         listed(allowed_), did_you_mean(name, allowed_))});
+        if (const auto meant = nearest(name, allowed_)) std::erase(missing_, *meant);
+    }
+    for (const std::string& key : missing_) {
+        problems_.push_back({line_of(table_), fmt::format("{}: {} is missing", where_, key)});
+    }
+}
+
+}  // namespace obscura::stimuli

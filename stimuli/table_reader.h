@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <toml++/toml.h>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stimuli/study.h"
+
+namespace obscura::stimuli {
+
+/// In double quotes, control characters escaped, long values cut: fit for one line of a message.
+[[nodiscard]] std::string in_quotes(std::string_view value);
+
+/// `a, b, c`, or `none`.
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+/// The name of `names` that `word` is most likely a misspelling of: the fewest letters inserted,
+/// removed, replaced or two neighbours exchanged, at most a third of the longer word; or nothing.
+[[nodiscard]] std::optional<std::string> nearest(std::string_view word,
+                                                 const std::vector<std::string>& names);
+
+/// `; did you mean "x"?` for the nearest name, or nothing.
+[[nodiscard]] std::string did_you_mean(std::string_view word,
+                                       const std::vector<std::string>& names);
+
+/// Reads the keys of one table and notes everything that is wrong, each at its line. Every key
+/// that is asked for counts as allowed; `finish` reports the others and the required ones that are
+/// missing. A value that is wrong or missing comes back as nothing.
+class TableReader {
+  public:
+    enum class Need { kRequired, kOptional };
+
+    /// `where` begins each message: `study`, `scene "atrium-high"`.
+    TableReader(const toml::table& table, std::string where, std::vector<StudyProblem>& problems);
+
+    std::optional<std::string> text(const std::string& key, Need need);
+    std::optional<std::int64_t> integer(const std::string& key, Need need, std::int64_t low,
+                                        std::int64_t high);
+    std::optional<double> number(const std::string& key, Need need);
+    const toml::array* array(const std::string& key, Need need, std::string_view wanted);
+    const toml::table* table(const std::string& key, Need need);
+
+    /// Lets `key` be there without reading it.
+    void allow(const std::string& key);
+
+    /// Notes a problem with the value of `key`, at the key's line.
+    void add(const std::string& key, const std::string& message);
+
+    /// Reports unknown keys with the nearest allowed one, and required keys that are missing.
+    /// A required key whose misspelling was just reported is not reported again.
+    void finish();
+
+  private:
+    const toml::node* find(const std::string& key, Need need);
+    void wrong_type(const std::string& key, const toml::node& value, std::string_view wanted);
+
+    const toml::table& table_;
+    std::string where_;
+    std::vector<StudyProblem>& problems_;
+    std::vector<std::string> allowed_;
+    std::vector<std::string> missing_;
+};
+
+/// The line on which a value or a table begins, from 1; 0: not known.
+[[nodiscard]] int line_of(const toml::node& node);
+
+}  // namespace obscura::stimuli

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/plan.h"
+#include "tests/test_scenes.h"
+
+namespace obscura::renderer {
+namespace {
+
+TechniqueChoice choice_of(const std::string& name, const std::string& denoise = "none") {
+    TechniqueChoice choice;
+    choice.technique = name;
+    choice.samples = find_technique(name)->samples.standard;
+    choice.denoise = denoise;
+    return choice;
+}
+
+SceneNeeds high_needs() {
+    SceneNeeds needs;
+    needs.environment = true;
+    needs.lights = 1;
+    needs.tone_mapping = true;
+    needs.normal_mapping = true;
+    needs.textures = true;
+    needs.specular = true;
+    needs.shadow_size = 2048;
+    return needs;
+}
+
+TEST(Plan, ConstantLightUnderCrytekAllocatesNeitherNormalNorLight) {
+    const FramePlan plan = plan_frame({}, choice_of("crytek", "separable"), 1280, 720);
+    EXPECT_EQ(plan.find(Target::kNormal), nullptr);
+    EXPECT_EQ(plan.find(Target::kAmbient), nullptr);
+    EXPECT_EQ(plan.find(Target::kDirect), nullptr);
+    EXPECT_EQ(plan.find(Target::kShadow), nullptr);
+    EXPECT_EQ(plan.find(Target::kHdr), nullptr);
+    EXPECT_FALSE(plan.has(Pass::kLight));
+    EXPECT_NE(plan.find(Target::kDepth), nullptr);
+}
+
+TEST(Plan, ConstantLightUnderBlizzardAddsTheNormalAndNoLight) {
+    const FramePlan plan = plan_frame({}, choice_of("blizzard"), 1280, 720);
+    EXPECT_NE(plan.find(Target::kNormal), nullptr);
+    EXPECT_FALSE(plan.has(Pass::kLight));
+}
+
+TEST(Plan, NoneUnderConstantLightIsGeometryAndComposite) {
+    const FramePlan plan = plan_frame({}, choice_of("none"), 1280, 720);
+    ASSERT_EQ(plan.passes.size(), 2U);
+    EXPECT_TRUE(plan.has(Pass::kGeometry));
+    EXPECT_TRUE(plan.has(Pass::kComposite));
+    EXPECT_EQ(plan.find(Target::kDepth), nullptr);
+}
+
+TEST(Plan, EverythingOnHasEveryPassAndLeavesNothingOut) {
+    const FramePlan plan = plan_frame(high_needs(), choice_of("blizzard", "separable"), 1280, 720);
+    EXPECT_EQ(plan.passes.size(), 8U);
+    EXPECT_TRUE(plan.left_out.empty());
+    EXPECT_EQ(plan.final_accessibility(), Target::kDenoised);
+}
+
+TEST(Plan, EveryTargetThatIsReadIsWrittenBefore) {
+    for (const Technique& technique : techniques()) {
+        for (const char* denoise : {"none", "box4", "separable"}) {
+            for (const SceneNeeds& needs : {SceneNeeds{}, high_needs()}) {
+                const FramePlan plan =
+                    plan_frame(needs, choice_of(technique.name, denoise), 64, 64);
+                std::vector<Target> written;
+                for (const PlannedPass& pass : plan.passes) {
+                    for (const Target target : pass.reads) {
+                        EXPECT_NE(std::find(written.begin(), written.end(), target), written.end())
+                            << technique.name << ": " << to_string(pass.pass) << " reads "
+                            << to_string(target);
+                    }
+                    written.insert(written.end(), pass.writes.begin(), pass.writes.end());
+                }
+                for (const PlannedTarget& target : plan.targets) {
+                    EXPECT_NE(std::find(written.begin(), written.end(), target.target),
+                              written.end())
+                        << to_string(target.target) << " is allocated and never written";
+                }
+            }
+        }
+    }
+}
+
+TEST(Plan, BytesAreThoseOfTheFormats) {
+    const FramePlan plan = plan_frame(high_needs(), choice_of("none"), 100, 10);
+    EXPECT_EQ(plan.find(Target::kHdr)->bytes, 8000U);
+    EXPECT_EQ(plan.find(Target::kAlbedo)->bytes, 4000U);
+    EXPECT_EQ(plan.find(Target::kShadow)->bytes, 2048U * 2048U * 4U);
+}
+
+TEST(Plan, BadChoicesAndSizesAreRefused) {
+    EXPECT_THROW((void)plan_frame({}, choice_of("none"), 0, 10), base::Error);
+    EXPECT_THROW((void)plan_frame({}, choice_of("none"), 10, 20000), base::Error);
+    TechniqueChoice odd = choice_of("crytek");
+    odd.samples = 12;
+    EXPECT_THROW((void)plan_frame({}, odd, 10, 10), base::Error);
+    odd.samples = -8;
+    EXPECT_THROW((void)plan_frame({}, odd, 10, 10), base::Error);
+    EXPECT_THROW((void)plan_frame({}, choice_of("blizzard", "sharpen"), 10, 10), base::Error);
+}
+
+TEST(Choice, ProblemsNameTheKeyTheValueAndWhatIsAllowed) {
+    TechniqueChoice choice = choice_of("blizzard");
+    choice.samples = -1;
+    choice.parameters = {{"radius_m", std::nan("")}, {"offset_scale", 0.1}};
+    const auto problems = problems_of(choice);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_EQ(problems[0].key, "samples");
+    EXPECT_NE(problems[0].message.find("-1"), std::string::npos);
+    EXPECT_EQ(problems[1].key, "offset_scale");
+    EXPECT_EQ(problems[2].key, "radius_m");
+    choice.technique = "hbao9";
+    ASSERT_EQ(problems_of(choice).size(), 1U);
+    EXPECT_NE(problems_of(choice)[0].message.find("crytek"), std::string::npos);
+}
+
+TEST(Choice, VariantsAreNamedAsInTheThesis) {
+    EXPECT_EQ(choice_of("blizzard").variant_name(), "Blizzard24");
+    EXPECT_EQ(choice_of("raymarch").variant_name(), "RayMarching30");
+    EXPECT_EQ(choice_of("none").variant_name(), "None");
+}
+
+}  // namespace
+}  // namespace obscura::renderer
