@@ -51,6 +51,7 @@ class NearField {
         const glm::vec3 centre = low_ + (glm::vec3(cell) + 0.5F) * kCell_m;
         for (const FigurePart& part : figure_.parts) {
             auto near = part.solid.near(centre, 0.9F * kCell_m + kReach_m, part.solid.parts());
+            part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near, owners_);
             if (!near.empty()) cells_[index(cell)].emplace_back(&part.solid, std::move(near));
         }
     }
@@ -59,6 +60,7 @@ class NearField {
     glm::vec3 low_{0.0F};
     glm::ivec3 size_{0};
     std::vector<std::vector<Near>> cells_;
+    std::vector<ShapePtr> owners_;
 };
 
 /// How much of the space just above the surface is taken, [0, 1]: where the field grows slower

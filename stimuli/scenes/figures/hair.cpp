@@ -56,7 +56,7 @@ Displacement strands(float height_m, std::function<float(const glm::vec3&)> fiel
 }  // namespace
 
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0030F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     hair.add(ellipsoid(scalp.local(0.0F, 0.036F, -0.014F),
@@ -118,7 +118,7 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
 }
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0030F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);

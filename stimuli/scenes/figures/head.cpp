@@ -203,20 +203,16 @@ void HeadModel::neck() {
                           knot(x * 0.045F * girth, -0.110F, 0.004F, 0.012F),
                           knot(x * 0.018F, -0.190F, 0.026F, 0.009F)}),
                    flesh(0.014F));
-        solid_.add(strip({knot(x * 0.014F, -0.196F, 0.040F, 0.010F),
-                          knot(x * 0.070F, -0.190F, 0.030F, 0.010F),
-                          knot(x * 0.130F, -0.185F, -0.010F, 0.010F)}),
-                   flesh(0.016F));
     }
     solid_.add(blob(0, -0.140F, 0.020F, {0.010F, 0.014F, 0.010F * girth}), flesh(0.014F));
 }
 
 void HeadModel::eyebrows() {
     for (const float x : kSides) {
-        solid_.add(strip({knot(x * 0.0125F, 0.0135F, 0.0935F, 0.0010F, 0.0035F),
-                          knot(x * 0.0250F, 0.0195F, 0.0930F, 0.0013F, 0.0036F),
-                          knot(x * 0.0400F, 0.0225F, 0.0865F, 0.0013F, 0.0030F),
-                          knot(x * 0.0530F, 0.0160F, 0.0725F, 0.0008F, 0.0014F)}),
+        solid_.add(strip({knot(x * 0.0125F, 0.0135F, 0.0935F, 0.0014F, 0.0044F),
+                          knot(x * 0.0250F, 0.0195F, 0.0930F, 0.0018F, 0.0046F),
+                          knot(x * 0.0400F, 0.0225F, 0.0865F, 0.0018F, 0.0038F),
+                          knot(x * 0.0530F, 0.0160F, 0.0725F, 0.0012F, 0.0018F)}),
                    {scale_ * 0.0016F, traits_.brows, true});
     }
 }
@@ -224,7 +220,7 @@ void HeadModel::eyebrows() {
 }  // namespace
 
 void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits) {
-    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0021F, 0.06F);
+    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0025F, 0.06F);
     HeadModel head(skin.solid, at, scale, traits);
     head.skull();
     head.brow_and_sockets();
@@ -238,7 +234,7 @@ void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& t
     skin.solid.keep(half_space(head.place(0.0F, 0.088F, 0.0F),
                                at.axes * glm::normalize(glm::vec3(0.0F, 0.62F, -0.78F))));
     skin.solid.keep(
-        half_space(head.place(0.0F, -0.225F, 0.0F), at.axes * glm::vec3(0.0F, -1.0F, 0.0F)));
+        half_space(head.place(0.0F, -0.200F, 0.0F), at.axes * glm::vec3(0.0F, -1.0F, 0.0F)));
     for (const float x : kSides) {
         figure.eyes.push_back({head.place(x * 0.0315F, -0.001F, 0.0725F), scale * 0.0128F,
                                glm::normalize(at.axes[2]), traits.iris});

@@ -78,7 +78,7 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
-    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0062F, 0.10F).solid;
+    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0080F, 0.10F).solid;
     jacket = core;
     // The blouson hangs over its hem.
     jacket.add(ellipsoid(at(0.0F, 1.045F, 0.004F), {0.178F, 0.062F, 0.130F}, at.axes),
@@ -163,7 +163,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0066F, 0.08F);
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0084F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.168F, 0.115F, 0.122F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -208,7 +208,7 @@ void add_trousers(Figure& man, const Placed& at) {
 }
 
 void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
-    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0046F, 0.12F);
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0064F, 0.12F);
     Sculpture& s = part.solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     for (const float x : kSides) {
@@ -286,7 +286,7 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0030F, 0.06F).solid;
+    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0037F, 0.06F).solid;
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.22F));
     add_hand(skin,
              {at(kWristRight.x, kWristRight.y, kWristRight.z),
@@ -308,7 +308,7 @@ Figure make_man(const Placed& at) {
     add_jacket(man, at, core);
     add_trousers(man, at);
     add_harness(man, at, core);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0055F, 0.12F).solid;
+    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0070F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);

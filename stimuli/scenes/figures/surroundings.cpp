@@ -124,8 +124,8 @@ void add_surroundings(renderer::Scene& scene) {
     ground.name = "ground";
     ground.material = static_cast<std::uint32_t>(Cloth::kGround);
     PatchOptions floor;
-    floor.columns = 90;
-    floor.rows = 90;
+    floor.columns = 40;
+    floor.rows = 40;
     floor.size_m = {14.0F, 14.0F};
     Placement tiles;
     tiles.uv_scale = glm::vec2(1.0F / 1.6F);

@@ -81,7 +81,7 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0060F, 0.08F).solid;
+    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0076F, 0.08F).solid;
     shirt = core;
     shirt.keep(half_space(at(0.0F, 0.925F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                {0.004F, kShirtColour, false});
@@ -125,7 +125,7 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
 }
 
 void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0056F, 0.12F).solid;
+    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0068F, 0.12F).solid;
     Sculpture body;
     body.add(grown(as_shape(core), 0.0135F), {0.0F, kVestColour, true});
     body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
@@ -185,7 +185,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0066F, 0.06F).solid;
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0080F, 0.06F).solid;
     s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
           {0.0F, kTrouserColour, true});
     s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
@@ -220,7 +220,7 @@ void add_trousers(Figure& woman, const Placed& at) {
 }
 
 void add_belt(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0044F, 0.12F).solid;
+    Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0052F, 0.12F).solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     const float tilt = 0.018F;
     const auto loop = [&](float y, float grow, float half, float slant) {
@@ -263,7 +263,7 @@ void add_belt(Figure& woman, const Placed& at) {
 }
 
 void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0030F, 0.06F).solid;
+    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0036F, 0.06F).solid;
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
         skin.add(tube(make_curve({{p(along(elbow, wrist, 0.42F)), 0.0345F, 0.0F},
@@ -293,7 +293,7 @@ Figure make_woman(const Placed& at) {
     add_vest(woman, at, core);
     add_trousers(woman, at);
     add_belt(woman, at);
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0055F, 0.12F).solid;
+    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0068F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_boot(boots, at, kAnkleLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_arms(woman, at, kSkinColour);

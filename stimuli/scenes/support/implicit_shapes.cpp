@@ -128,6 +128,10 @@ class Grown final : public Shape {
         const Bounds inner = shape_->bounds();
         return {inner.low - by_, inner.high + by_};
     }
+    [[nodiscard]] ShapePtr restricted(const glm::vec3& p, float radius) const override {
+        ShapePtr inner = shape_->restricted(p, radius + std::abs(by_));
+        return inner ? std::make_shared<Grown>(std::move(inner), by_) : nullptr;
+    }
 
   private:
     ShapePtr shape_;

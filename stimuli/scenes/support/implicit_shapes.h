@@ -39,6 +39,14 @@ class Shape {
     /// Never more than the true distance to the raised solid; may be coarser than distance().
     [[nodiscard]] virtual float lower_bound(const glm::vec3& point_m) const = 0;
     [[nodiscard]] virtual Bounds bounds() const = 0;
+    /// A cheaper shape that is the same within `radius_m` of the point wherever its distance is
+    /// below `radius_m`; null where this one is cheap enough. It must not outlive this one.
+    [[nodiscard]] virtual std::shared_ptr<const Shape> restricted(const glm::vec3& point_m,
+                                                                  float radius_m) const {
+        static_cast<void>(point_m);
+        static_cast<void>(radius_m);
+        return nullptr;
+    }
 };
 using ShapePtr = std::shared_ptr<const Shape>;
 

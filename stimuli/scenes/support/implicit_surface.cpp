@@ -13,6 +13,7 @@ namespace obscura::stimuli {
 namespace {
 
 constexpr int kCells = 4;             ///< cells along an edge of a block
+constexpr int kLocalCells = 16;  ///< size of a block for which nested sculptures are cut down
 constexpr int kSide = kCells + 1;     ///< corners along an edge, those of the next blocks included
 constexpr float kReachFactor = 1.4F;  ///< slack for fields that are distances of first order only
 
@@ -78,6 +79,7 @@ class Mesher {
         auto parts = sculpture_.near(centre, radius_m, above);
         if (parts.empty()) return;
         if (std::abs(sculpture_.distance(centre, parts)) > kReachFactor * radius_m) return;
+        if (cells == kLocalCells) sculpture_.localise(centre, 2.0F * radius_m, parts, owners_);
         if (cells == kCells) {
             blocks_.emplace_back();
             blocks_.back().origin = origin;
@@ -286,6 +288,7 @@ class Mesher {
     const Painter& painter_;
     glm::vec3 origin_m_{0.0F};
     std::vector<Block> blocks_;
+    std::vector<ShapePtr> owners_;
     std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 

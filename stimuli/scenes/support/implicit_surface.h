@@ -59,10 +59,15 @@ class Sculpture {
     /// The parts that can matter within `radius_m` of the point, out of `parts`, near the surface.
     [[nodiscard]] std::vector<Part> near(const glm::vec3& point_m, float radius_m,
                                          std::span<const Part> parts) const;
+    /// Replaces parts that are sculptures themselves by what of them is near; `owners` keeps the
+    /// replacements alive.
+    void localise(const glm::vec3& point_m, float radius_m, std::vector<Part>& parts,
+                  std::vector<ShapePtr>& owners) const;
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
     [[nodiscard]] float distance(const glm::vec3& point_m, std::span<const Part> parts) const;
     /// As distance() where that is below the limit; otherwise anything not below it.
-    [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m) const;
+    [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m,
+                                       std::span<const Part> parts) const;
     [[nodiscard]] glm::vec3 tint(const glm::vec3& point_m, std::span<const Part> parts) const;
 
   private:
