@@ -21,22 +21,24 @@ float crest(float phase) {
 }
 
 float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, std::uint32_t seed) {
-    const float warp = gradient_noise(at.position_m * 9.0F, seed);
-    float height =
-        0.0022F * gradient_noise(at.position_m * glm::vec3(14.0F, 7.0F, 14.0F), seed + 1);
+    const float warp = gradient_noise(at.position_m * 7.0F, seed);
+    const float patchy = gradient_noise(at.position_m * 15.0F, seed + 1);
+    float height = 0.0020F * patchy;
     for (const FoldCentre& centre : centres) {
         const float away = (at.along_m - centre.along_m) / centre.reach_m;
-        if (std::abs(away) > 2.2F) continue;
+        if (std::abs(away) > 2.0F) continue;
         float turn = at.angle_rad - centre.angle_rad;
         turn -= 2.0F * kPi * std::round(turn / (2.0F * kPi));
         const float side = 0.5F + 0.5F * std::cos(turn);
-        // The folds run together on the inner side of the bend and fan out from there.
+        // The folds run together on the inner side of the bend and fan out from there, slanting.
         const float fan = 0.6F + 0.5F * std::abs(turn) / kPi;
-        const float phase = (at.along_m - centre.along_m) / (centre.spacing_m * fan) +
-                            0.55F * warp + 0.35F * std::sin(turn);
-        const float strength =
-            std::exp(-away * away) * (centre.evenness + (1.0F - centre.evenness) * side);
-        height += 2.0F * centre.height_m * strength * crest(phase) * (0.75F + 0.5F * warp);
+        const float phase = (at.along_m - centre.along_m) / (centre.spacing_m * fan) + 1.5F * warp +
+                            0.55F * std::sin(turn + away);
+        // No fold runs all the way round: each fades where the noise says so.
+        const float broken = std::clamp(0.62F + 1.3F * patchy + 0.5F * side, 0.0F, 1.15F);
+        const float strength = std::exp(-away * away) * broken *
+                               (centre.evenness + (1.0F - centre.evenness) * side);
+        height += 2.0F * centre.height_m * strength * crest(phase);
     }
     return height;
 }

@@ -125,8 +125,10 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     hair.add(ellipsoid(scalp.local(0.0F, 0.037F, -0.013F),
                        scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), at.axes),
              {0.0F, colour, true});
-    hair.carve(ellipsoid(scalp.local(0.0F, -0.020F, 0.088F),
-                         scale * glm::vec3(0.0665F, 0.088F, 0.062F), at.axes),
+    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F), scale * glm::vec3(0.068F, 0.050F, 0.058F), at.axes),
+             {scale * 0.012F, colour, true});
+    hair.carve(ellipsoid(scalp.local(0.0F, -0.030F, 0.090F),
+                         scale * glm::vec3(0.0665F, 0.094F, 0.064F), at.axes),
                {scale * 0.005F, colour, false});
     for (const float x : {-1.0F, 1.0F}) {
         hair.carve(ellipsoid(scalp.local(x * 0.078F, -0.036F, 0.022F),

@@ -42,8 +42,8 @@ void add_hand(Sculpture& skin, const Placed& at, float scale, float thumb_side,
     };
     const StrokeStyle flesh{scale * 0.012F, colour, true};
     // x runs from the little finger to the thumb.
-    skin.add(round_cone(place(0.0F, 0.0F, -0.06F), scale * 0.029F, place(0.0F, 0.0F, 0.0F),
-                        scale * 0.025F),
+    skin.add(round_cone(place(0.0F, 0.0F, -0.004F), scale * 0.0265F, place(0.0F, 0.0F, 0.02F),
+                        scale * 0.026F),
              flesh);
     skin.add(ellipsoid(place(0.0F, -0.002F, 0.052F), scale * glm::vec3(0.041F, 0.0145F, 0.054F),
                        at.axes),

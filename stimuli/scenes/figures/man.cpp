@@ -44,6 +44,8 @@ Sculpture torso(const Placed& at) {
                          0.045F),
               {0.03F, kJacketColour, true});
     }
+    // The blouson hangs over its hem.
+    blob(0.0F, 1.045F, 0.004F, {0.176F, 0.062F, 0.130F}, 0.03F);
     return s;
 }
 
@@ -80,9 +82,6 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0080F, 0.10F).solid;
     jacket = core;
-    // The blouson hangs over its hem.
-    jacket.add(ellipsoid(at(0.0F, 1.045F, 0.004F), {0.178F, 0.062F, 0.130F}, at.axes),
-               {0.03F, kJacketColour, true});
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
     Sculpture hem;
@@ -132,11 +131,19 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
              const float rolls = std::sin((p.y - 0.25F * std::abs(p.x)) * 135.0F + 4.0F * warp);
              const float drape =
                  gradient_noise(glm::vec3(p.x * 16.0F + p.y * 5.0F, p.y * 4.0F, p.z * 16.0F), 43);
-             const float body = std::clamp((0.20F - std::abs(p.x)) / 0.05F, 0.0F, 1.0F);
+             const float body = std::clamp((0.20F - std::abs(p.x)) / 0.05F, 0.0F, 1.0F) *
+                                            std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
              return body *
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
          0.010F});
+}
+
+void add_undershirt(Figure& man, const Placed& at) {
+    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0060F, 0.08F).solid;
+    const glm::vec3 colour(0.10F, 0.10F, 0.105F);
+    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes), {0.0F, colour, true});
+    s.keep(half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))), {0.008F, colour, false});
 }
 
 void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
@@ -165,12 +172,13 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 void add_trousers(Figure& man, const Placed& at) {
     FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0084F, 0.08F);
     Sculpture& s = part.solid;
-    s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.168F, 0.115F, 0.122F}, at.axes),
+    s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
     for (const float x : kSides) {
         s.add(ellipsoid(at(x * 0.075F, 0.915F, -0.055F), {0.088F, 0.095F, 0.078F}, at.axes),
               {0.04F, kTrouserColour, true});
     }
+    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)), {0.006F, kTrouserColour, false});
     add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 303);
     add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 404);
     // Cargo pockets with flaps, outside on the thighs; a fly and slant pockets.
@@ -287,6 +295,11 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
     Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0037F, 0.06F).solid;
+    for (const auto& [elbow, wrist] : {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
+        const glm::vec3 inside = along(elbow, wrist, 0.80F);
+        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z), 0.0265F),
+                 {0.010F, colour, true});
+    }
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.22F));
     add_hand(skin,
              {at(kWristRight.x, kWristRight.y, kWristRight.z),
@@ -306,6 +319,7 @@ Figure make_man(const Placed& at) {
     man.name = "man";
     const Sculpture core = torso(at);
     add_jacket(man, at, core);
+    add_undershirt(man, at);
     add_trousers(man, at);
     add_harness(man, at, core);
     Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0070F, 0.12F).solid;

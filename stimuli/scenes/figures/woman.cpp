@@ -118,7 +118,8 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
              const float rolls = std::sin((p.y + 0.30F * std::abs(p.x)) * 150.0F + 4.0F * warp);
              const float drape =
                  gradient_noise(glm::vec3(p.x * 18.0F - p.y * 6.0F, p.y * 4.0F, p.z * 18.0F), 63);
-             const float body = std::clamp((0.165F - std::abs(p.x)) / 0.04F, 0.0F, 1.0F);
+             const float body = std::clamp((0.165F - std::abs(p.x)) / 0.04F, 0.0F, 1.0F) *
+            std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
              return body * (0.0040F * waist * rolls * (0.5F + std::abs(warp)) + 0.0032F * drape);
          },
          0.008F});
