@@ -27,7 +27,7 @@ struct ManifestImage {
     int width = 0;
     int height = 0;
     std::vector<std::string> passes;
-    double milliseconds = 0.0;  ///< of all passes
+    double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included
     std::string
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };
