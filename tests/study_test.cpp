@@ -93,6 +93,18 @@ TEST(Study, TextsKeepEveryLanguageAndTheLineEndsOfWindowsDoNotMatter) {
     EXPECT_EQ(reading.study.instructions, "見て。\nΚοίτα 🙂");
 }
 
+TEST(Study, WhatTomlCanWriteInTwoWaysMeansTheSame) {
+    std::string text(kSmallStudy);
+    const std::string_view inlined = "b = { technique = \"blizzard\", radius_m = 1 }";
+    text.replace(text.find("radius_m = 0.8"), 14, "radius_m = 1");
+    const Study one = read(text).study;
+    text.replace(text.find(inlined), inlined.size(),
+                 "[condition.b]\ntechnique = 'blizzard'\nradius_m = 1.0");
+    const StudyReading other = read(text);
+    ASSERT_EQ(to_lines(other.problems, "small"), "");
+    EXPECT_EQ(other.study.conditions[0].b.parameters, one.conditions[0].b.parameters);
+}
+
 TEST(Study, AByteOrderMarkAtTheStartIsNoProblem) {
     EXPECT_EQ(to_lines(read("\xEF\xBB\xBF" + std::string(kSmallStudy)).problems, "small"), "");
 }
