@@ -6,8 +6,10 @@ namespace obscura::app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> list = {
+        run_command(),
         render_command(),
         plan_command(),
+        analyze_command(),
         check_command(),
     };
     return list;
