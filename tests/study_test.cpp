@@ -58,6 +58,16 @@ TEST(BuiltinStudy, HasTheProcedureOfTheThesis) {
     EXPECT_EQ(study.sha256, base::sha256_hex(builtin_text()));
 }
 
+TEST(BuiltinStudy, NamesCamerasAndLevelsThatTheBuiltInScenesHave) {
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        for (const StudyScene& used : read(builtin_text()).study.scenes) {
+            if (used.source != scene.id) continue;
+            EXPECT_THAT(scene.cameras, testing::Contains(used.camera)) << used.id;
+            EXPECT_THAT(scene.levels, testing::Contains(used.validity)) << used.id;
+        }
+    }
+}
+
 TEST(BuiltinStudy, IsFoundByItsNameAndByNoName) {
     EXPECT_EQ(study_source("").text, builtin_text());
     EXPECT_EQ(study_source("jakobsen2010").text, builtin_text());
