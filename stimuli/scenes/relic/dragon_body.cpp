@@ -122,8 +122,8 @@ Curve spine() {
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const std::size_t bone = std::min(i / kSteps, bones.size() - 2);
         const float t = static_cast<float>(i - bone * kSteps) / kSteps;
-        curve[i].normal = glm::mix(glm::normalize(bones[bone].back),
-                                   glm::normalize(bones[bone + 1].back), t);
+        curve[i].normal =
+            glm::mix(glm::normalize(bones[bone].back), glm::normalize(bones[bone + 1].back), t);
     }
     rebuild_frames(curve);
     return curve;
@@ -142,11 +142,12 @@ void add_body(Sculpture& sculpture, const Curve& spine) {
         const float long_m = 0.13F - 0.05F * std::abs(lean);
         const glm::vec3 bend = side * (0.028F * (i % 2 == 0 ? 1.0F : -1.0F));
         const glm::vec3 depth(0.0F, 0.0F, 0.012F * static_cast<float>((i + 3) % 3 - 1));
-        const Curve flame = make_curve({{tip - away * 0.03F, 0.010F, 0.007F},
-                                        {tip + out * (0.35F * long_m) + bend * 0.5F + depth, 0.017F, 0.009F},
-                                        {tip + out * (0.75F * long_m) - bend * 0.3F + depth, 0.010F, 0.006F},
-                                        {tip + out * long_m + bend * 0.4F + depth, 0.002F, 0.002F}},
-                                       5, side);
+        const Curve flame =
+            make_curve({{tip - away * 0.03F, 0.010F, 0.007F},
+                        {tip + out * (0.35F * long_m) + bend * 0.5F + depth, 0.017F, 0.009F},
+                        {tip + out * (0.75F * long_m) - bend * 0.3F + depth, 0.010F, 0.006F},
+                        {tip + out * long_m + bend * 0.4F + depth, 0.002F, 0.002F}},
+                       5, side);
         sculpture.add(tube(flame), {0.006F, kPale, true});
     }
 }
