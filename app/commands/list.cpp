@@ -8,6 +8,7 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> list = {
         render_command(),
         plan_command(),
+        export_command(),
         analyze_command(),
         check_command(),
     };
