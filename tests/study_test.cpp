@@ -127,7 +127,7 @@ b = { technique = "blizard" }
 id = "I"
 scene = "s"
 a = { technique = "none", samples = 1 }
-b = { technique = "blizzard", radius_m = nan, power = 100 }
+b = { technique = "blizzard", radius_m = nan, full_threshold_m = -1 }
 )");
     std::vector<int> lines;
     for (const StudyProblem& problem : reading.problems) lines.push_back(problem.line);
