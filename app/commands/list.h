@@ -12,6 +12,7 @@ namespace obscura::app {
 Command analyze_command();
 Command run_command();
 Command check_command();
+Command export_command();
 Command plan_command();
 Command render_command();
 
