@@ -9,9 +9,11 @@
 #include <cassert>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "renderer/base/files.h"
 
@@ -29,6 +31,8 @@ constexpr std::string_view kSqliteScheme = "sqlite3://";
 constexpr std::string_view kPostgresqlScheme = "postgresql://";
 /// How long a statement waits for another process that is writing.
 constexpr int kBusyTimeoutS = 10;
+/// The low byte of an extended result code (https://www.sqlite.org/rescode.html).
+constexpr int kPrimaryCode = 0xff;
 
 /// First 16 bytes of a database (https://www.sqlite.org/fileformat.html, 1.3.1).
 constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
@@ -67,6 +71,17 @@ std::string percent_encoded(std::string_view path) {
         }
     }
     return encoded;
+}
+
+/// How to open a store that is only read. Where its place may be written, a write connection under
+/// query_only is the one that leaves no empty log behind. On a read-only medium nobody else can be
+/// writing, so without a log the file cannot change under us (https://www.sqlite.org/wal.html, 5).
+std::string read_only_mode(const fs::path& file) {
+    std::error_code ignored;
+    const bool writable =
+        ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
+    if (writable) return "?mode=rw";
+    return fs::exists(file.string() + "-wal", ignored) ? "?mode=ro" : "?mode=ro&immutable=1";
 }
 
 std::string without_password(const std::string& url) {
@@ -110,19 +125,16 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
     if (exists) require_sqlite_header(path);
     if (!read_only) require_writable_file(path, exists);
 
-    std::string uri = "file:" + percent_encoded(path.string());
-    if (read_only) {
-        uri += "?mode=ro";
-        // SQLite reads a write-ahead log only where it may make its -shm file; on a read-only
-        // medium nobody can be writing, so the file cannot change under us.
-        const bool sealed = ::access(path.parent_path().c_str(), W_OK) != 0;
-        if (sealed && !fs::exists(path.string() + "-wal", ignored)) uri += "&immutable=1";
-    }
+    const std::string uri =
+        "file:" + percent_encoded(path.string()) + (read_only ? read_only_mode(path) : "");
     guarded("open", [&] {
         session_.open(soci::sqlite3, fmt::format("db={} timeout={}", uri, kBusyTimeoutS));
         execute("PRAGMA foreign_keys = ON");
         execute("PRAGMA synchronous = FULL");
-        if (read_only) return;
+        if (read_only) {
+            execute("PRAGMA query_only = ON");
+            return;
+        }
         auto* backend = static_cast<soci::sqlite3_session_backend*>(session_.get_backend());
         if (sqlite_api::sqlite3_db_readonly(backend->conn_, "main") != 0) {
             throw base::bad_input("cannot write the store {}: it is read-only", name_);
@@ -133,8 +145,12 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
 void Database::open_postgresql(const std::string& url, bool read_only) {
     system_ = System::kPostgresql;
     name_ = without_password(url);
-    guarded("open", [&] {
+    try {
         session_.open(*soci::factory_postgresql(), url);
+    } catch (const soci::soci_error& error) {
+        throw base::bad_input("cannot open the store {}: {}", name_, error.what());
+    }
+    guarded("open", [&] {
         // Notices ("relation exists, skipping") are no errors; doubles keep all 17 digits.
         execute("SET client_min_messages = warning");
         execute("SET extra_float_digits = 3");
@@ -145,9 +161,17 @@ void Database::open_postgresql(const std::string& url, bool read_only) {
 void Database::use_write_ahead_log() {
     if (system_ != System::kSqlite) return;
     std::string mode;
-    session_ << "PRAGMA journal_mode", soci::into(mode);
-    if (mode == "wal") return;
-    session_ << "PRAGMA journal_mode = WAL", soci::into(mode);
+    // The change of mode does not wait for others by the busy timeout as statements do.
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(kBusyTimeoutS);
+    while (mode.empty()) {
+        try {
+            session_ << "PRAGMA journal_mode = WAL", soci::into(mode);
+        } catch (const soci::sqlite3_soci_error& error) {
+            const bool busy = (error.result() & kPrimaryCode) == SQLITE_BUSY;
+            if (!busy || std::chrono::steady_clock::now() > give_up) throw;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+    }
     if (mode != "wal") {
         throw base::bad_input(
             "cannot write the store {}: the file system gives no write-ahead log (journal mode {})",
@@ -159,12 +183,9 @@ base::Error Database::translated(std::string_view doing, const soci::soci_error&
     const std::string reason = error.what();
     const auto* sqlite = dynamic_cast<const soci::sqlite3_soci_error*>(&error);
     if (sqlite == nullptr) {
-        if (error.get_error_category() == soci::soci_error::connection_error) {
-            return base::bad_input("cannot {} the store {}: {}", doing, name_, reason);
-        }
         return base::failure("cannot {} the store {}: {}", doing, name_, reason);
     }
-    switch (sqlite->result() & 0xff) {  // the low byte is the primary code
+    switch (sqlite->result() & kPrimaryCode) {
         case SQLITE_NOTADB:
             return base::bad_input("cannot {} the store {}: the file is no SQLite database", doing,
                                    name_);

@@ -120,17 +120,24 @@ std::string spelled_for(Database::System system, std::string statement) {
     return statement;
 }
 
-int count_tables(Database& database, const std::string& condition) {
+struct TableCounts {
+    int all = 0;
+    int ours = 0;  ///< tables named obscura_schema
+};
+
+/// In one statement, because another process may be making the store meanwhile.
+TableCounts count_tables(Database& database) {
     const bool sqlite = database.system() == Database::System::kSqlite;
-    int count = 0;
-    database.session() << (sqlite ? "SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND "
-                                    "name " +
-                                        condition
-                                  : "SELECT COUNT(*) FROM information_schema.tables WHERE "
-                                    "table_schema = current_schema() AND table_name " +
-                                        condition),
-        soci::into(count);
-    return count;
+    TableCounts counts;
+    database.session() << (sqlite
+                               ? "SELECT COUNT(*), COUNT(CASE name WHEN 'obscura_schema' THEN 1 "
+                                 "END) FROM sqlite_master WHERE type = 'table' AND name NOT LIKE "
+                                 "'sqlite!_%' ESCAPE '!'"
+                               : "SELECT COUNT(*), COUNT(CASE table_name WHEN 'obscura_schema' "
+                                 "THEN 1 END) FROM information_schema.tables WHERE "
+                                 "table_schema = current_schema()"),
+        soci::into(counts.all), soci::into(counts.ours);
+    return counts;
 }
 
 base::Error newer(const Database& database, int met, int known) {
@@ -148,9 +155,10 @@ const std::vector<Migration>& migrations() {
 }
 
 int schema_version(Database& database) {
-    if (count_tables(database, "= 'obscura_schema'") == 0) {
-        if (database.system() == Database::System::kSqlite &&
-            count_tables(database, "NOT LIKE 'sqlite!_%' ESCAPE '!'") > 0) {
+    const TableCounts tables = count_tables(database);
+    if (tables.ours == 0) {
+        // A PostgreSQL database may well hold other tables beside the store's.
+        if (database.system() == Database::System::kSqlite && tables.all > 0) {
             throw base::bad_input(
                 "cannot open the store {}: it is a database of another program (no table "
                 "obscura_schema)",

@@ -9,6 +9,7 @@ const std::vector<Command>& commands() {
         run_command(),
         render_command(),
         plan_command(),
+        analyze_command(),
         check_command(),
     };
     return list;

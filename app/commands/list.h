@@ -10,6 +10,7 @@ namespace obscura::app {
 
 // One line a command; each is defined in the file of its name.
 Command run_command();
+Command analyze_command();
 Command check_command();
 Command plan_command();
 Command render_command();
