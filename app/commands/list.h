@@ -9,8 +9,8 @@
 namespace obscura::app {
 
 // One line a command; each is defined in the file of its name.
-Command run_command();
 Command analyze_command();
+Command run_command();
 Command check_command();
 Command plan_command();
 Command render_command();

@@ -33,7 +33,7 @@ void add_petal(Sculpture& s, float angle, float radius_m, float y_m, float size)
                                     {root + up * (0.030F * size) + out * (0.034F * size), 0.040F * size, 0.015F * size},
                                     {root + up * (0.066F * size) + out * (0.044F * size), 0.032F * size, 0.012F * size},
                                     {root + up * (0.094F * size) + out * (0.064F * size), 0.006F * size, 0.006F * size}},
-                                   6, along);
+                                   4, along);
     s.add(tube(petal), {0.002F, kSandstone, true});
     const glm::vec3 face = out * (0.016F * size);
     for (const float x : {-0.016F, 0.0F, 0.016F}) {
@@ -41,7 +41,7 @@ void add_petal(Sculpture& s, float angle, float radius_m, float y_m, float size)
         s.carve(tube(make_curve({{root + up * (0.014F * size) + out * (0.024F * size) + face + shift, 0.0022F, 0.0F},
                                  {root + up * (0.044F * size) + out * (0.040F * size) + face + shift * 0.9F, 0.0026F, 0.0F},
                                  {root + up * (0.072F * size) + out * (0.046F * size) + face * 0.85F + shift * 0.35F, 0.0016F, 0.0F}},
-                                5, out)),
+                                3, out)),
                 {0.003F, kSandstone, false});
     }
 }
@@ -69,11 +69,10 @@ void add_base(Sculpture& sculpture) {
     rock.add(ellipsoid({0.04F, 0.14F, -0.02F}, {0.22F, 0.16F, 0.20F}), {0.06F, glm::vec3(1.0F), true});
     rock.add(ellipsoid({-0.38F, 0.115F, 0.17F}, {0.075F, 0.030F, 0.080F}), {0.03F, glm::vec3(1.0F), true});
     rock.displace({[](const glm::vec3& p) {
-                       const glm::vec3 q(p.x, 2.2F * p.y, p.z);
-                       const Cell cell = cellular(q * 9.0F, 5);
-                       return 0.030F * (0.5F - cell.nearest) + 0.010F * fbm(q * 26.0F, 9, 3);
+                       const glm::vec3 q(p.x, 1.8F * p.y, p.z);
+                       return 0.045F * (ridged(q * 8.0F, 5, 2) - 0.7F);
                    },
-                   0.04F});
+                   0.035F});
     sculpture.add(as_shape(rock), {0.006F, kSandstone, true});
 }
 

@@ -24,7 +24,7 @@ void add_digit(Sculpture& s, const glm::vec3& root, const glm::vec3& knuckle, co
 }
 
 void add_limb(Sculpture& s, const std::vector<Knot>& knots) {
-    s.add(tube(make_curve(knots, 8, glm::vec3(0.1F, 0.2F, 1.0F))), {0.03F, kJade, true});
+    s.add(tube(make_curve(knots, 8, glm::vec3(0.1F, 0.2F, 1.0F))), {0.022F, kJade, true});
 }
 
 /// Flame-shaped locks that fly from an elbow or heel.
@@ -92,7 +92,7 @@ void add_resting_foreleg(Sculpture& s) {
 void add_hind_leg(Sculpture& s, const Placed& at, float side) {
     const auto p = [&](float x, float y, float z) { return at(side * x, y, z); };
     s.add(ellipsoid(p(0.035F, 0.035F, 0.000F), {0.060F, 0.085F, 0.095F}, at.axes),
-          {0.03F, kJade, true});
+          {0.022F, kJade, true});
     add_limb(s, {{p(0.045F, 0.050F, 0.010F), 0.060F, 0.0F},
                  {p(0.080F, 0.030F, 0.085F), 0.044F, 0.0F},
                  {p(0.088F, -0.030F, 0.060F), 0.034F, 0.0F},

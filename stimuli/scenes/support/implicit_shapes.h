@@ -24,7 +24,19 @@ class Shape {
     virtual ~Shape() = default;
     /// Signed distance, exact or of first order near the surface; its sign is always right.
     [[nodiscard]] virtual float distance(const glm::vec3& point_m) const = 0;
-    /// Never more than the true distance to the solid; may be coarser than distance().
+    /// As distance() where that is below `limit_m`; otherwise anything not below the limit.
+    [[nodiscard]] virtual float distance_below(const glm::vec3& point_m, float limit_m) const {
+        static_cast<void>(limit_m);
+        return distance(point_m);
+    }
+    /// How far the surface is raised there above what distance() says: 0 for most shapes.
+    [[nodiscard]] virtual float relief(const glm::vec3& point_m) const {
+        static_cast<void>(point_m);
+        return 0.0F;
+    }
+    /// Largest value of relief().
+    [[nodiscard]] virtual float relief_high() const { return 0.0F; }
+    /// Never more than the true distance to the raised solid; may be coarser than distance().
     [[nodiscard]] virtual float lower_bound(const glm::vec3& point_m) const = 0;
     [[nodiscard]] virtual Bounds bounds() const = 0;
 };

@@ -12,9 +12,9 @@
 namespace obscura::stimuli {
 namespace {
 
-constexpr int kCells = 8;            ///< cells along an edge of a block
+constexpr int kCells = 4;            ///< cells along an edge of a block
 constexpr int kSide = kCells + 1;    ///< corners along an edge, those of the next blocks included
-constexpr float kReachFactor = 2.0F; ///< slack for fields that are distances of first order only
+constexpr float kReachFactor = 1.4F; ///< slack for fields that are distances of first order only
 
 /// A corner whose edge along `axis` crosses the surface.
 struct Crossing {
@@ -164,7 +164,7 @@ class Mesher {
                     block.vertex_of_cell[static_cast<std::size_t>(cell_index(x, y, z))] =
                         static_cast<std::int32_t>(block.vertices.size());
                     block.vertices.push_back(vertex_at(
-                        position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle), block));
+                        position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle), cube, block));
                 }
             }
         }
@@ -191,32 +191,36 @@ class Mesher {
         return true;
     }
 
-    /// Gradient and, as its length says how the field is scaled, value over gradient. The four
-    /// taps are the corners of a tetrahedron.
-    [[nodiscard]] glm::vec3 gradient(const glm::vec3& p, const Block& block, float& mean) const {
+    /// From four taps at the corners of a tetrahedron.
+    [[nodiscard]] glm::vec3 gradient(const glm::vec3& p, const Block& block) const {
         const float h = 0.4F * cell_m_;
         constexpr std::array<glm::vec3, 4> kTaps{
             glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)};
         glm::vec3 sum(0.0F);
-        mean = 0.0F;
         for (const glm::vec3& tap : kTaps) {
-            const float d = sculpture_.distance(p + h * tap, block.parts);
-            sum += tap * d;
-            mean += 0.25F * d;
+            sum += tap * sculpture_.distance(p + h * tap, block.parts);
         }
         return sum / (4.0F * h);
     }
 
-    [[nodiscard]] renderer::Vertex vertex_at(const glm::vec3& start, const Block& block) const {
-        float value = 0.0F;
-        glm::vec3 slope = gradient(start, block, value);
-        const float steep2 = std::max(glm::dot(slope, slope), 0.05F);
+    /// Moves the mean of the crossings onto the surface, along the slope between the cell's corners.
+    [[nodiscard]] renderer::Vertex vertex_at(const glm::vec3& start,
+                                             const std::array<float, 8>& cube,
+                                             const Block& block) const {
+        glm::vec3 slope(0.0F);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            slope += sign * cube[static_cast<std::size_t>(corner)];
+        }
+        slope /= 4.0F * cell_m_;
+        const float value = sculpture_.distance(start, block.parts);
+        const float steep2 = std::max(glm::dot(slope, slope), 0.25F);
         glm::vec3 step = -slope * (value / steep2);
         const float longest = 0.5F * cell_m_;
         if (glm::length(step) > longest) step *= longest / glm::length(step);
         renderer::Vertex vertex;
         vertex.position_m = start + step;
-        slope = gradient(vertex.position_m, block, value);
+        slope = gradient(vertex.position_m, block);
         const float length = glm::length(slope);
         vertex.normal = length > 1e-6F ? slope / length : glm::vec3(0.0F, 1.0F, 0.0F);
         const glm::vec3 hint = std::abs(vertex.normal.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F)

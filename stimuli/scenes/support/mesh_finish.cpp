@@ -67,7 +67,6 @@ void append(Mesh& whole, const Mesh& part, const Placement& placement) {
     const bool mirrored = glm::determinant(linear) < 0.0F;
     const float uv_turn = placement.uv_scale.x * placement.uv_scale.y < 0.0F ? -1.0F : 1.0F;
     const float along_u = placement.uv_scale.x < 0.0F ? -1.0F : 1.0F;
-    whole.vertices.reserve(whole.vertices.size() + part.vertices.size());
     for (const Vertex& source : part.vertices) {
         Vertex vertex = source;
         vertex.position_m = glm::vec3(placement.transform * glm::vec4(source.position_m, 1.0F));
@@ -80,7 +79,6 @@ void append(Mesh& whole, const Mesh& part, const Placement& placement) {
         vertex.color = scaled(source.color, placement.tint);
         whole.vertices.push_back(vertex);
     }
-    whole.indices.reserve(whole.indices.size() + part.indices.size());
     for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
         whole.indices.push_back(first + part.indices[i]);
         whole.indices.push_back(first + part.indices[i + (mirrored ? 2 : 1)]);

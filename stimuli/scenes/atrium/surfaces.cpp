@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stimuli/scenes/atrium/parts.h"
+#include "stimuli/scenes/support/noise.h"
+#include "stimuli/scenes/support/texture_maker.h"
+
+namespace obscura::stimuli::atrium {
+namespace {
+
+using glm::vec2;
+using glm::vec3;
+
+/// Where a point lies in a wall of blocks: distance to the block's nearest edge, and its id.
+struct Masonry {
+    float edge_m = 0.0F;
+    std::uint32_t id = 0;
+};
+
+/// Courses of `size_m` / `counts` blocks with shifted, jittered joints; wraps over size_m.
+Masonry masonry(vec2 uv, vec2 size_m, glm::ivec2 counts, float jitter, std::uint32_t seed) {
+    const float course_m = size_m.y / static_cast<float>(counts.y);
+    const float block_m = size_m.x / static_cast<float>(counts.x);
+    const auto joint_y = [&](int row) {
+        const int wrapped = (row % counts.y + counts.y) % counts.y;
+        return course_m *
+               (static_cast<float>(row) + 0.5F * jitter * (hash_unit(wrapped, 7, 1, seed) - 0.5F));
+    };
+    const float y = uv.y * size_m.y;
+    int row = static_cast<int>(std::floor(y / course_m));
+    if (y < joint_y(row)) --row;
+    if (y >= joint_y(row + 1)) ++row;
+    const int wrapped_row = (row % counts.y + counts.y) % counts.y;
+    const float shift =
+        0.5F * static_cast<float>(row & 1) + 0.3F * hash_unit(wrapped_row, 3, 2, seed);
+    const auto joint_x = [&](int column) {
+        const int wrapped = (column % counts.x + counts.x) % counts.x;
+        return block_m * (static_cast<float>(column) + shift +
+                          jitter * (hash_unit(wrapped, wrapped_row, 3, seed) - 0.5F));
+    };
+    const float x = uv.x * size_m.x;
+    int column = static_cast<int>(std::floor(x / block_m - shift));
+    if (x < joint_x(column)) --column;
+    if (x >= joint_x(column + 1)) ++column;
+    Masonry found;
+    found.edge_m = std::min(std::min(x - joint_x(column), joint_x(column + 1) - x),
+                            std::min(y - joint_y(row), joint_y(row + 1) - y));
+    found.id = hash_lattice((column % counts.x + counts.x) % counts.x, wrapped_row, 4, seed);
+    return found;
+}
+
+float unit_of(std::uint32_t id, int which) {
+    return hash_unit(static_cast<int>(id & 0xffffU), static_cast<int>(id >> 16), which, 77);
+}
+
+/// Weathered limestone: mottled, finely pitted.
+Texel limestone(vec2 uv, float cells, std::uint32_t seed) {
+    const glm::ivec2 period(static_cast<int>(cells));
+    const vec2 p = uv * cells;
+    const float broad = fbm(p, seed, 4, period);
+    const float fine = fbm(p * 8.0F, seed + 1, 3, period * 8);
+    const Cell pit = cellular(p * 10.0F, seed + 2, period * 10);
+    const float pitted = glm::smoothstep(0.05F, 0.35F, broad + 0.15F);
+    const float hole = pitted * (1.0F - glm::smoothstep(0.08F, 0.28F, pit.nearest)) *
+                       (unit_of(pit.id, 1) > 0.55F ? 1.0F : 0.0F);
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0xb9a98c), linear_from_srgb(0xd3c6ab),
+                            glm::clamp(0.5F + 0.9F * broad, 0.0F, 1.0F));
+    texel.albedo *= (1.0F + 0.13F * fine) * (1.0F - 0.4F * hole);
+    texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.004F * hole;
+    return texel;
+}
+
+Texel ashlar(vec2 uv) {
+    const vec2 size_m(3.2F);
+    const glm::ivec2 period(8);
+    const vec2 wobble(fbm(uv * 16.0F, 5, 3, period * 2), fbm(uv * 16.0F, 6, 3, period * 2));
+    const Masonry block = masonry(uv + 0.0022F * wobble, size_m, {5, 9}, 0.34F, 21);
+    const float tone = unit_of(block.id, 0);
+    const float warmth = unit_of(block.id, 1);
+    const float chipped =
+        std::max(0.0F, fbm(uv * 32.0F, 9, 3, period * 4) - 0.1F) * 0.05F * unit_of(block.id, 2);
+    const float edge = block.edge_m - chipped;
+    const float inside = glm::smoothstep(0.004F, 0.018F, edge);
+    Texel texel = limestone(uv, 8.0F, 31);
+    texel.albedo *= (0.80F + 0.34F * tone) *
+                    glm::mix(vec3(1.03F, 0.99F, 0.92F), vec3(0.98F, 1.0F, 1.03F), warmth);
+    texel.albedo *= 0.88F + 0.12F * glm::smoothstep(0.01F, 0.06F, edge);
+    const vec3 mortar = linear_from_srgb(0x9d917d) * (1.0F + 0.25F * wobble.x);
+    texel.albedo = glm::mix(mortar, texel.albedo, inside);
+    const float pillow = glm::smoothstep(0.0F, 0.045F, edge);
+    texel.height_m = glm::mix(
+        -0.007F, texel.height_m * 1.6F + 0.003F * pillow + 0.003F * (unit_of(block.id, 5) - 0.5F),
+        inside);
+    return texel;
+}
+
+Texel brickwork(vec2 uv, vec2 size_m, glm::ivec2 counts) {
+    const Masonry brick = masonry(uv, size_m, counts, 0.06F, 91);
+    const float inside = glm::smoothstep(0.005F, 0.011F, brick.edge_m);
+    const float tone = unit_of(brick.id, 0);
+    const glm::ivec2 period(64, 32);
+    const float grit = fbm(uv * vec2(period), 41, 3, period);
+    vec3 clay = glm::mix(linear_from_srgb(0x8f5a41), linear_from_srgb(0xb98263), tone);
+    clay = glm::mix(clay, linear_from_srgb(0x7a5546), unit_of(brick.id, 1) > 0.8F ? 0.7F : 0.0F);
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0xa89a86), clay, inside) * (1.0F + 0.22F * grit);
+    texel.height_m = -0.016F + inside * (0.006F + 0.0015F * grit);
+    return texel;
+}
+
+/// Old lime plaster, fallen off in places so that the brick shows. Covers 8 m x 4 m.
+Texel plaster(vec2 uv) {
+    const vec2 size_m(8.0F, 4.0F);
+    const glm::ivec2 period(8, 4);
+    const vec2 p = uv * vec2(period);
+    const float broad = fbm(p * 0.5F + 0.25F, 51, 4, {4, 2});
+    const float medium = fbm(p * 3.0F, 52, 4, period * 3);
+    const float fine = fbm(p * 24.0F, 53, 2, period * 24);
+    const float loss = fbm(p, 54, 5, period) + 0.35F * broad - 0.42F;
+    const float gone = glm::smoothstep(-0.004F, 0.012F, loss);
+    const float lip = glm::smoothstep(-0.05F, 0.0F, loss) * (1.0F - gone);
+    const Cell crack_cell = cellular(p * 1.5F + 0.25F * medium, 55, {12, 6});
+    const float crack =
+        (1.0F - glm::smoothstep(0.0F, 0.012F, crack_cell.second - crack_cell.nearest)) *
+        glm::smoothstep(-0.1F, 0.25F, broad + 0.5F * medium);
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0xc2a37e), linear_from_srgb(0xdcc6a3),
+                            glm::clamp(0.5F + 0.7F * broad + 0.35F * medium, 0.0F, 1.0F));
+    const float repaired = glm::smoothstep(0.18F, 0.2F, fbm(p + 13.0F, 56, 3, period));
+    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0xcbb89b), 0.6F * repaired);
+    texel.albedo *= 1.0F + 0.06F * fine - 0.35F * crack + 0.12F * lip;
+    texel.height_m = 0.003F * medium + 0.0006F * fine - 0.002F * crack + 0.001F * repaired;
+    const Texel brick = brickwork(uv, size_m, {32, 52});
+    texel.albedo = glm::mix(texel.albedo, brick.albedo, gone);
+    texel.height_m = glm::mix(texel.height_m, brick.height_m, gone);
+    return texel;
+}
+
+/// 4 x 4 floor tiles, each to its edge; the joint is half on either side.
+Texel floor_tiles(vec2 uv) {
+    const vec2 cell = uv * 4.0F;
+    const vec2 in_cell = glm::fract(cell);
+    const vec2 to_edge = glm::min(in_cell, 1.0F - in_cell) * 0.6F;
+    const glm::ivec2 tile(cell);
+    const std::uint32_t id = hash_lattice(tile.x, tile.y, 0, 61);
+    const glm::ivec2 period(8);
+    const float chips = std::max(0.0F, fbm(uv * 64.0F, 62, 3, {64, 64}) - 0.15F) * 0.03F;
+    const float edge = std::min(to_edge.x, to_edge.y) - chips;
+    const float corner = to_edge.x + to_edge.y - 0.05F * (unit_of(id, 1) > 0.7F ? 1.0F : 0.0F);
+    const float inside = glm::smoothstep(0.003F, 0.009F, std::min(edge, corner));
+    const vec2 q = uv * 8.0F;
+    const float broad = fbm(q, 63 + (id & 3U), 5, period);
+    const float vein = glm::smoothstep(0.93F, 0.995F, ridged(q, 71 + (id & 1U), 3, period));
+    const float fine = fbm(uv * 128.0F, 64, 2, {128, 128});
+    const float scratch =
+        glm::smoothstep(0.3F, 0.6F, fbm(uv * vec2(16.0F, 96.0F), 65 + (id & 1U), 2, {16, 96}));
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0xa3937a), linear_from_srgb(0xc9bb9f),
+                            glm::clamp(0.5F + broad, 0.0F, 1.0F));
+    texel.albedo *= (0.86F + 0.24F * unit_of(id, 0)) * (1.0F + 0.08F * fine - 0.08F * scratch);
+    texel.albedo *= 1.0F - 0.18F * vein;
+    texel.albedo = glm::mix(linear_from_srgb(0x6f6455), texel.albedo, inside);
+    texel.height_m = glm::mix(-0.006F, 0.0012F * broad + 0.0004F * fine, inside);
+    return texel;
+}
+
+/// Old oak, the grain along v. Covers 1 m.
+Texel wood(vec2 uv) {
+    const float bend = fbm(uv * vec2(4.0F, 2.0F), 81, 3, {4, 2});
+    const vec2 p(uv.x + 0.012F * bend, uv.y);
+    const float grain = fbm(p * vec2(48.0F, 3.0F), 82, 4, {48, 3});
+    const float fibre = fbm(p * vec2(160.0F, 6.0F), 83, 2, {160, 6});
+    const float split = glm::smoothstep(0.38F, 0.5F, fbm(p * vec2(20.0F, 2.0F), 84, 3, {20, 2}));
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0x4d3521), linear_from_srgb(0x8a6845),
+                            glm::clamp(0.5F + 0.9F * grain, 0.0F, 1.0F));
+    texel.albedo *= (1.0F + 0.2F * fibre + 0.2F * bend) * (1.0F - 0.6F * split);
+    texel.height_m = 0.0012F * grain + 0.0006F * fibre - 0.004F * split;
+    return texel;
+}
+
+Texel clay(vec2 uv) {
+    const glm::ivec2 period(8);
+    const float broad = fbm(uv * 8.0F, 101, 4, period);
+    const float fine = fbm(uv * 64.0F, 102, 3, {64, 64});
+    const float lichen = glm::smoothstep(0.25F, 0.4F, fbm(uv * 16.0F, 103, 4, {16, 16}));
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0x8e5238), linear_from_srgb(0xb97a55),
+                            glm::clamp(0.5F + broad, 0.0F, 1.0F));
+    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0x9a8e74), 0.55F * lichen);
+    texel.albedo *= 1.0F + 0.15F * fine;
+    texel.height_m = 0.001F * broad + 0.0008F * fine;
+    return texel;
+}
+
+/// Woven cloth with a woven-in diamond figure; near white, for the parts' tint to dye.
+Texel cloth(vec2 uv) {
+    const vec2 thread = uv * 180.0F;
+    const float weave =
+        0.5F + 0.5F * std::sin(thread.x * 6.2831853F) * std::sin(thread.y * 6.2831853F);
+    const vec2 figure = glm::abs(glm::fract(uv * 4.0F) - 0.5F);
+    const float diamond = std::abs(figure.x + figure.y - 0.36F);
+    const float dot = glm::length(figure);
+    const float pattern = std::max(1.0F - glm::smoothstep(0.03F, 0.05F, diamond),
+                                   1.0F - glm::smoothstep(0.09F, 0.11F, dot));
+    const float faded = fbm(uv * 3.0F, 111, 4, {3, 3});
+    const float slub = fbm(uv * vec2(12.0F, 120.0F), 112, 2, {12, 120});
+    Texel texel;
+    texel.albedo = vec3(0.72F + 0.16F * faded + 0.05F * slub) * (0.86F + 0.14F * weave);
+    texel.albedo *= 1.0F - 0.22F * pattern;
+    texel.height_m = 0.0004F * weave + 0.0003F * slub + 0.0003F * pattern;
+    return texel;
+}
+
+/// A leaf's blade: v from stalk to tip, u across.
+Texel leaf(vec2 uv) {
+    const float across = std::abs(uv.x - 0.5F) * 2.0F;
+    const float middle = 1.0F - glm::smoothstep(0.0F, 0.09F, across);
+    const float ribs = std::abs(glm::fract(uv.y * 7.0F + 0.9F * across) - 0.5F) * 2.0F;
+    const float rib = (1.0F - glm::smoothstep(0.0F, 0.16F, ribs)) * (1.0F - across);
+    const float mottle = fbm(uv * 8.0F, 121, 4, {8, 8});
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0x3d5a26), linear_from_srgb(0x6d8a41),
+                            glm::clamp(0.45F + 0.6F * mottle, 0.0F, 1.0F));
+    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0x9aa765), 0.6F * middle + 0.25F * rib);
+    texel.height_m = 0.0006F * middle + 0.0003F * rib + 0.0003F * mottle;
+    return texel;
+}
+
+Texel soil(vec2 uv) {
+    const Cell clod = cellular(uv * 24.0F, 131, {24, 24});
+    const float fine = fbm(uv * 64.0F, 132, 2, {64, 64});
+    Texel texel;
+    texel.albedo = linear_from_srgb(0x43342a) * (0.8F + 0.5F * unit_of(clod.id, 0) + 0.3F * fine);
+    texel.height_m = -0.006F * clod.nearest + 0.001F * fine;
+    return texel;
+}
+
+Texel iron(vec2 uv) {
+    const float rust = fbm(uv * 16.0F, 141, 4, {16, 16});
+    Texel texel;
+    texel.albedo = glm::mix(linear_from_srgb(0x2c2a29), linear_from_srgb(0x5a4030),
+                            glm::smoothstep(0.0F, 0.5F, rust));
+    texel.height_m = 0.0006F * rust;
+    return texel;
+}
+
+struct Finish {
+    const char* name;
+    Texel (*at)(vec2);
+    int width;
+    int height;
+    float repeat_m;  ///< metres along u and v, unless ratio says otherwise
+    float specular_intensity;
+    float specular_power;
+    vec3 albedo;
+    bool double_sided;
+};
+
+Texel stone(vec2 uv) { return limestone(uv, 6.0F, 11); }
+Texel lamp_glass(vec2 uv) {
+    Texel texel;
+    texel.albedo = linear_from_srgb(0xd9c79a) * (1.0F + 0.15F * fbm(uv * 4.0F, 151, 3, {4, 4}));
+    return texel;
+}
+
+}  // namespace
+
+std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
+    const vec3 white(1.0F);
+    const std::array<Finish, kSurfaces> finishes{{
+        {"ashlar", ashlar, 1024, 1024, 3.2F, 0.04F, 12.0F, white, false},
+        {"stone", stone, 768, 768, 1.8F, 0.06F, 16.0F, white, false},
+        {"plaster", plaster, 1536, 768, 8.0F, 0.02F, 8.0F, white, false},
+        {"floor", floor_tiles, 1024, 1024, 2.4F, 0.16F, 40.0F, white, false},
+        {"wood", wood, 512, 512, 1.0F, 0.05F, 20.0F, white, false},
+        {"roof", clay, 512, 512, 1.0F, 0.04F, 12.0F, white, false},
+        {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, white, true},
+        {"leaf", leaf, 256, 256, 1.0F, 0.10F, 24.0F, white, true},
+        {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F, white, false},
+        {"iron", iron, 256, 256, 0.5F, 0.25F, 32.0F, white, false},
+        {"lamp-glass", lamp_glass, 64, 64, 0.3F, 0.4F, 64.0F, white, false},
+    }};
+    std::array<vec2, kSurfaces> size_m{};
+    for (std::size_t i = 0; i < kSurfaces; ++i) {
+        const Finish& finish = finishes[i];
+        size_m[i] = vec2(finish.repeat_m, finish.repeat_m * static_cast<float>(finish.height) /
+                                              static_cast<float>(finish.width));
+        renderer::Material material;
+        material.name = finish.name;
+        material.albedo = finish.albedo;
+        material.specular_intensity = finish.specular_intensity;
+        material.specular_power = finish.specular_power;
+        material.double_sided = finish.double_sided;
+        TextureRecipe recipe;
+        recipe.name = finish.name;
+        recipe.width = finish.width;
+        recipe.height = finish.height;
+        recipe.size_m = size_m[i];
+        recipe.at = finish.at;
+        add_material(scene, std::move(material), recipe);
+    }
+    return size_m;
+}
+
+}  // namespace obscura::stimuli::atrium
