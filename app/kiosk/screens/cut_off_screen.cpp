@@ -40,8 +40,8 @@ std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts, const CutOffSessi
         if (wide_button(label, width, 2.1F, false)) choice = CutOffChoice::kAbandon;
         if (ImGui::IsKeyPressed(GLFW_KEY_A, false)) choice = CutOffChoice::kAbandon;
         gap(0.2F);
-        hint(fonts, session.refusal.empty() ? "Keys: Enter continues, A abandons."
-                                            : "Key: A abandons.");
+        hint(fonts,
+             session.refusal.empty() ? "Keys: Enter continues, A abandons." : "Key: A abandons.");
     });
     return choice;
 }
