@@ -169,8 +169,8 @@ TEST_F(Generate, UnknownPairsAndPartsAreRefusedBeforeAnythingIsWritten) {
     EXPECT_FALSE(fs::exists(folder_));
 }
 
-/// Runs `act` in a process of its own and gives its exit code. OpenGL must not have been used before:
-/// a driver's threads do not survive a fork.
+/// Runs `act` in a process of its own and gives its exit code. OpenGL must not have been used
+/// before: a driver's threads do not survive a fork.
 template <typename Act>
 int in_a_process(const Act& act) {
     const pid_t child = ::fork();
