@@ -6,6 +6,7 @@ namespace obscura::app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> list = {
+        demo_command(),
         run_command(),
         render_command(),
         plan_command(),

@@ -152,8 +152,10 @@ Window::~Window() {
 void Window::describe_display(GLFWmonitor* monitor, bool windowed) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     refresh_hz_ = mode != nullptr ? std::max(0, mode->refreshRate) : 0;
-    display_ = fmt::format("{} {} {} Hz", glfwGetMonitorName(monitor), text_of(size_of(monitor)),
-                           refresh_hz_);
+    const std::string rate =
+        refresh_hz_ > 0.0 ? fmt::format("{} Hz", refresh_hz_) : "unknown refresh rate";
+    display_ =
+        fmt::format("{} {} {}", glfwGetMonitorName(monitor), text_of(size_of(monitor)), rate);
     if (windowed) display_ += fmt::format(", window {}", text_of(size()));
 }
 
