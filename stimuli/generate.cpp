@@ -93,14 +93,43 @@ std::string title_of(const Stimulus& stimulus) {
     return fmt::format("{} ({})", stimulus.file(), stimulus.choice().variant_name());
 }
 
+/// The passes, buffers and omissions of one image.
+std::string explanation_of(const Study& study, const Stimulus& stimulus,
+                           const renderer::Frame& frame) {
+    const renderer::FramePlan& plan = frame.plan();
+    const StudyScene& scene = study.scene_of(*stimulus.condition);
+    std::string text =
+        fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
+                    stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
+                    scene.camera, plan.width, plan.height);
+    double sum_ms = 0.0;
+    for (const renderer::PassTime& time : frame.times) {
+        text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
+                            time.milliseconds);
+        sum_ms += time.milliseconds;
+    }
+    text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", sum_ms);
+    for (const renderer::PlannedTarget& target : plan.targets) {
+        text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n",
+                            renderer::to_string(target.target), target.bytes, target.format,
+                            target.width, target.height,
+                            target.layers > 1 ? fmt::format("x{}", target.layers) : "");
+    }
+    text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", plan.bytes());
+    for (const renderer::LeftOut& left_out : plan.left_out) {
+        text += fmt::format("  without {}: {}\n", left_out.what, left_out.why);
+    }
+    return text;
+}
+
 }  // namespace
 
 Generated generate(const Study& study, const Selection& selection, const fs::path& folder,
-                   bool quiet) {
+                   bool quiet, const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     base::require_writable_folder(folder, "--out");
     const renderer::HeadlessContext context;
-    StimulusRenderer renderer(study);
+    StimulusRenderer renderer(study, catalogue);
     std::map<std::string, ManifestImage> finished = finished_images(folder);
     const fs::path list =
         folder / (selection.shards == 1
@@ -134,11 +163,12 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
 }
 
 std::vector<std::string> verify(const Study& study, const Selection& selection,
-                                const fs::path& folder, bool quiet) {
+                                const fs::path& folder, bool quiet,
+                                const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     const Manifest manifest = load_manifest(folder / "manifest.json");
     const renderer::HeadlessContext context;
-    StimulusRenderer renderer(study);
+    StimulusRenderer renderer(study, catalogue);
     std::vector<std::string> problems;
     base::Progress progress("verify", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
@@ -169,37 +199,16 @@ std::vector<std::string> verify(const Study& study, const Selection& selection,
     return problems;
 }
 
-std::string explain(const Study& study, const Selection& selection, bool quiet) {
+std::string explain(const Study& study, const Selection& selection, bool quiet,
+                    const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     const renderer::HeadlessContext context;
-    StimulusRenderer renderer(study);
+    StimulusRenderer renderer(study, catalogue);
     std::string text = fmt::format("{}\n", renderer::gpu_description());
     base::Progress progress("explain", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         { const renderer::Frame warm_up = renderer.render(stimulus); }
-        const renderer::Frame frame = renderer.render(stimulus);
-        const renderer::FramePlan& plan = frame.plan();
-        const StudyScene& scene = study.scene_of(*stimulus.condition);
-        text += fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
-                            stimulus.choice().variant_name(), scene.source,
-                            to_string(scene.validity), scene.camera, plan.width, plan.height);
-        double sum_ms = 0.0;
-        for (const renderer::PassTime& time : frame.times) {
-            text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
-                                time.milliseconds);
-            sum_ms += time.milliseconds;
-        }
-        text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", sum_ms);
-        for (const renderer::PlannedTarget& target : plan.targets) {
-            text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n",
-                                renderer::to_string(target.target), target.bytes, target.format,
-                                target.width, target.height,
-                                target.layers > 1 ? fmt::format("x{}", target.layers) : "");
-        }
-        text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", plan.bytes());
-        for (const renderer::LeftOut& left_out : plan.left_out) {
-            text += fmt::format("  without {:14} {}\n", left_out.what + ':', left_out.why);
-        }
+        text += explanation_of(study, stimulus, renderer.render(stimulus));
         progress.step(title_of(stimulus));
     }
     return text;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stimuli/manifest.h"
+#include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
@@ -31,15 +32,18 @@ struct Generated {
 /// and whichever part finds all images finished writes manifest.json. Throws bad input for an
 /// unknown pair or part, failure when a file cannot be written.
 Generated generate(const Study& study, const Selection& selection,
-                   const std::filesystem::path& folder, bool quiet);
+                   const std::filesystem::path& folder, bool quiet,
+                   const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
 /// Renders the selected images in memory and says, a sentence each, which files differ from what
 /// this program renders, from the manifest, or are missing. Empty when all agree.
-[[nodiscard]] std::vector<std::string> verify(const Study& study, const Selection& selection,
-                                              const std::filesystem::path& folder, bool quiet);
+[[nodiscard]] std::vector<std::string> verify(
+    const Study& study, const Selection& selection, const std::filesystem::path& folder, bool quiet,
+    const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
 /// Renders the selected images in memory and tells of each its passes with milliseconds (of a
 /// second rendering, when shaders are compiled), its buffers with bytes, and what was left out.
-[[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet);
+[[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet,
+                                  const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
 }  // namespace obscura::stimuli

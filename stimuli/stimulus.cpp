@@ -13,18 +13,11 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
-#include "stimuli/scenes/builtin_scene.h"
 
 namespace obscura::stimuli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const BuiltinScene& builtin(const std::string& source) {
-    const BuiltinScene* scene = find_builtin_scene(source);
-    if (scene == nullptr) throw base::bad_input("there is no scene \"{}\"", source);
-    return *scene;
-}
 
 std::map<std::string, double> parameters_of(const renderer::TechniqueChoice& choice) {
     std::map<std::string, double> values;
@@ -58,8 +51,15 @@ std::vector<Stimulus> stimuli_of(const Study& study) {
     return list;
 }
 
-StimulusRenderer::StimulusRenderer(const Study& study)
-    : study_(study), environment_sha256_(hash_of_environment()) {}
+StimulusRenderer::StimulusRenderer(const Study& study, const std::vector<BuiltinScene>& catalogue)
+    : study_(study), catalogue_(catalogue), environment_sha256_(hash_of_environment()) {}
+
+const BuiltinScene& StimulusRenderer::builtin(const std::string& source) const {
+    for (const BuiltinScene& scene : catalogue_) {
+        if (scene.id == source) return scene;
+    }
+    throw base::bad_input("there is no scene \"{}\"", source);
+}
 
 void StimulusRenderer::load(const std::string& source) {
     if (loaded_.source == source) return;
@@ -96,6 +96,8 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.condition = stimulus.condition->id;
     image.side = std::string(1, stimulus.side);
     image.scene = scene.id;
+    image.source = scene.source;
+    image.camera = scene.camera;
     image.validity = to_string(scene.validity);
     image.technique = choice.technique;
     image.samples = choice.samples;

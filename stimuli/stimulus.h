@@ -8,6 +8,7 @@
 #include "renderer/frame/renderer.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
+#include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
@@ -30,7 +31,8 @@ struct Stimulus {
 /// of the last image, so ask for images of one scene together.
 class StimulusRenderer {
   public:
-    explicit StimulusRenderer(const Study& study);
+    explicit StimulusRenderer(const Study& study,
+                              const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
     /// All buffers of the image.
     [[nodiscard]] renderer::Frame render(const Stimulus& stimulus);
@@ -50,8 +52,10 @@ class StimulusRenderer {
         std::unique_ptr<renderer::GpuScene> gpu;
     };
     void load(const std::string& source);
+    [[nodiscard]] const BuiltinScene& builtin(const std::string& source) const;
 
     const Study& study_;
+    const std::vector<BuiltinScene>& catalogue_;
     renderer::Renderer renderer_;
     Loaded loaded_;
     std::map<std::pair<std::string, Validity>, renderer::Lighting> lightings_;

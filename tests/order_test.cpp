@@ -84,26 +84,38 @@ TEST(LatinSquare, The576SquaresOfOrder4AreEquallyLikelyOver57600Draws) {
     EXPECT_GT(uniformity_p(counts, 576, 57600), 1e-3);
 }
 
-/// Squares of order 4 come in two shapes that permuting rows, columns and symbols cannot turn into
-/// each other: 432 and 144 of the 576 (the cyclic group's and the Klein group's). Only the chain
-/// can bring these shares about, and one degree of freedom sees a shift that 575 hide.
-TEST(LatinSquare, TheTwoShapesOfOrder4HaveTheirSharesOf432And144) {
-    const auto intercalates = [](const Square& s) {
-        int count = 0;
-        for (int r = 0; r < 4; ++r)
-            for (int q = r + 1; q < 4; ++q)
-                for (int c = 0; c < 4; ++c)
-                    for (int d = c + 1; d < 4; ++d)
-                        count += s[r][c] == s[q][d] && s[r][d] == s[q][c] ? 1 : 0;
-        return count;
-    };
-    constexpr int kDraws = 20000;
-    int klein = 0;
-    for (const auto& [square, count] : draw_squares(4, kDraws, 4)) {
-        klein += intercalates(square) == 12 ? count : 0;
+/// 2 x 2 sub-squares; permuting rows, columns or symbols does not change their number.
+int count_intercalates(const Square& square) {
+    const std::size_t n = square.size();
+    int count = 0;
+    for (std::size_t r = 0; r < n; ++r) {
+        for (std::size_t q = r + 1; q < n; ++q) {
+            for (std::size_t c = 0; c < n; ++c) {
+                for (std::size_t d = c + 1; d < n; ++d) {
+                    count += square[r][c] == square[q][d] && square[r][d] == square[q][c] ? 1 : 0;
+                }
+            }
+        }
     }
-    const double z = (klein - kDraws / 4.0) / std::sqrt(kDraws * 0.25 * 0.75);
-    EXPECT_LT(std::abs(z), 3.29);  // two-sided p of 1e-3
+    return count;
+}
+
+/// z of the share of squares with that many sub-squares among the draws.
+double z_of_share(int n, int intercalates, double share, int draws, std::uint64_t seed) {
+    int met = 0;
+    for (const auto& [square, count] : draw_squares(n, draws, seed)) {
+        met += count_intercalates(square) == intercalates ? count : 0;
+    }
+    return (met - draws * share) / std::sqrt(draws * share * (1.0 - share));
+}
+
+/// Squares of orders 4 and 5 come in two shapes that permuting rows, columns and symbols cannot
+/// turn into each other, so that only the chain can bring their shares about; one degree of freedom
+/// sees a shift that 575 hide. Order 4: the Klein group's, 12 sub-squares, 144 of 576. Order 5: the
+/// cyclic group's, none, (5!)^3 / (5^2 * 4) = 17280 of 161280 (orbit and stabiliser).
+TEST(LatinSquare, TheShapesOfOrders4And5HaveTheSharesThatCountingGives) {
+    EXPECT_LT(std::abs(z_of_share(4, 12, 144.0 / 576.0, 10000, 4)), 3.29);  // two-sided p of 1e-3
+    EXPECT_LT(std::abs(z_of_share(5, 0, 17280.0 / 161280.0, 10000, 5)), 3.29);
 }
 
 TEST(LatinSquare, AnOrderThatIsOutOfRangeIsRefused) {

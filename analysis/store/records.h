@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace obscura::analysis {
 
@@ -13,6 +15,55 @@ enum class Kind { kParticipant, kPractice, kCatch, kSimulated };
 
 /// Where a session stands. Only a completed one uses up its row of the order.
 enum class SessionState { kOpen, kCompleted, kAbandoned };
+
+inline constexpr std::array kKinds{Kind::kParticipant, Kind::kPractice, Kind::kCatch,
+                                   Kind::kSimulated};
+inline constexpr std::array kSessionStates{SessionState::kOpen, SessionState::kCompleted,
+                                           SessionState::kAbandoned};
+
+/// `participant`, `practice`, `catch` or `simulated`, as in the store and in files.
+[[nodiscard]] constexpr std::string_view to_string(Kind kind) {
+    switch (kind) {
+        case Kind::kParticipant:
+            return "participant";
+        case Kind::kPractice:
+            return "practice";
+        case Kind::kCatch:
+            return "catch";
+        case Kind::kSimulated:
+            return "simulated";
+    }
+    return "";
+}
+
+/// `open`, `completed` or `abandoned`.
+[[nodiscard]] constexpr std::string_view to_string(SessionState state) {
+    switch (state) {
+        case SessionState::kOpen:
+            return "open";
+        case SessionState::kCompleted:
+            return "completed";
+        case SessionState::kAbandoned:
+            return "abandoned";
+    }
+    return "";
+}
+
+/// The kind of that name, or nothing.
+[[nodiscard]] constexpr std::optional<Kind> kind_from(std::string_view name) {
+    for (const Kind kind : kKinds) {
+        if (to_string(kind) == name) return kind;
+    }
+    return std::nullopt;
+}
+
+/// The state of that name, or nothing.
+[[nodiscard]] constexpr std::optional<SessionState> session_state_from(std::string_view name) {
+    for (const SessionState state : kSessionStates) {
+        if (to_string(state) == name) return state;
+    }
+    return std::nullopt;
+}
 
 /// Who took part, as the form asks it.
 struct ParticipantRecord {
@@ -24,6 +75,8 @@ struct ParticipantRecord {
     std::optional<bool> naive;          ///< does not know what the study is about
     bool consent = false;
     std::string created_utc;  ///< ISO 8601 with Z
+
+    bool operator==(const ParticipantRecord&) const = default;
 };
 
 /// One participant's way through a study, and what it ran on.
@@ -48,6 +101,8 @@ struct SessionRecord {
     std::string gpu_renderer;
     std::string display;      ///< monitor's name, resolution, refresh rate
     double refresh_hz = 0.0;  ///< 0: unknown
+
+    bool operator==(const SessionRecord&) const = default;
 };
 
 /// One answer, with all that was shown and when. Times come from one monotonic clock.
@@ -75,6 +130,8 @@ struct TrialRecord {
     std::string first_sha256;  ///< of the PNG shown first
     std::string second_sha256;
     std::string answered_utc;
+
+    bool operator==(const TrialRecord&) const = default;
 };
 
 /// Anything else worth knowing about a session: started, resumed, left by the operator ...
@@ -83,6 +140,8 @@ struct EventRecord {
     std::string time_utc;
     std::string name;
     std::string detail;
+
+    bool operator==(const EventRecord&) const = default;
 };
 
 }  // namespace obscura::analysis

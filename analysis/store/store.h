@@ -15,7 +15,9 @@ namespace obscura::analysis {
 /// The response store: participants, sessions, trials, events in SQLite (or PostgreSQL) through
 /// SOCI. Every change is one transaction that is on the disk (WAL, synchronous FULL) when the call
 /// returns; a call that throws has changed nothing. Errors are base::Error: bad input for a URL or
-/// file that is no such store, a newer schema or a read-only place; failure for a full disk.
+/// file that is no such store, a newer schema or a read-only place, and for a record with a value
+/// that is not allowed; failure for a full disk and for what the store's state forbids (a slot that
+/// is taken, a session that is not open, an index already answered).
 class Store {
   public:
     enum class Access {
@@ -29,10 +31,14 @@ class Store {
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
 
-    /// Both rows and the event `session started`, in one transaction.
+    /// Both rows and the event `session started`, in one transaction. Refuses a participant or
+    /// session already there, and a slot that an open or completed session of the same study, seed
+    /// and kind holds, also one that another process has just begun.
     void begin_session(const ParticipantRecord& participant, const SessionRecord& session);
 
-    /// One answer. Refuses one for a session that is not open or an index already answered.
+    /// One answer. Refuses one for a session that is not open, an index or condition already
+    /// answered, or an is_A_selected that does not follow. A trial is of the session's kind, or
+    /// practice or catch; those two do not count towards condition_count.
     void add_trial(const TrialRecord& trial);
     void add_event(const EventRecord& event);
 

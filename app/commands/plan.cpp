@@ -76,7 +76,7 @@ void print_verdict(bool holds, const std::string& property, const std::string& c
     fmt::print("  {:<14}  {}: {}\n", holds ? "holds" : "does not hold", property, counted);
 }
 
-void print_verdicts(const Balance& balance) {
+void print_verdicts(const Study& study, const Balance& balance) {
     fmt::print("\nBalance\n");
     print_verdict(balance.rows_hold(), "each condition once in each row",
                   fmt::format("{} of {} participants", balance.complete_rows, balance.sessions));
@@ -94,6 +94,10 @@ void print_verdicts(const Balance& balance) {
                   "each condition directly after each other one equally often",
                   range.low == range.high ? fmt::format("{} times", range.low)
                                           : fmt::format("{} to {} times", range.low, range.high));
+    if (!balance.neighbours_hold() && study.order != stimuli::OrderKind::kWilliams) {
+        fmt::print("{:>16}  order \"{}\" does not promise this; order = \"williams\" does\n", "",
+                   to_string(study.order));
+    }
 }
 
 void print_block(const Study& study, std::uint64_t participants) {
@@ -131,7 +135,7 @@ void print_text(const Study& study, const std::vector<SessionOrder>& sessions,
         "Carry-over: how often the condition of the column came directly after the one of "
         "the row",
         ids, ids, balance.neighbours);
-    print_verdicts(balance);
+    print_verdicts(study, balance);
     print_block(study, sessions.size());
 }
 

@@ -17,12 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that exists only if it was finished: removed again unless kept.
+/// A file that exists only if it was finished. Where the file system can, it has no name until
+/// then, so that not even a killed program leaves a part of it behind.
 class PartialFile {
   public:
     explicit PartialFile(const fs::path& target)
         : path_(target.string() + fmt::format(".part-{}", ::getpid())) {
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+        const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+        descriptor_ = ::open(parent.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0644);
+        named_ = descriptor_ < 0;
+        if (named_) {
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+        }
         if (descriptor_ < 0) {
             throw failure("cannot write {}: {}", target.string(), std::strerror(errno));
         }
@@ -31,7 +37,7 @@ class PartialFile {
     PartialFile& operator=(const PartialFile&) = delete;
     ~PartialFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
-        if (!kept_) ::unlink(path_.c_str());
+        if (named_) ::unlink(path_.c_str());
     }
 
     void write(std::string_view bytes, const fs::path& target) {
@@ -39,32 +45,37 @@ class PartialFile {
             const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
             if (written < 0) {
                 if (errno == EINTR) continue;
-                throw failure("cannot write {}: {}", target.string(), std::strerror(errno));
+                fail("write", target);
             }
             bytes.remove_prefix(static_cast<size_t>(written));
         }
     }
 
     void keep_as(const fs::path& target) {
-        const bool flushed = ::fsync(descriptor_) == 0;
-        const int flush_error = errno;
-        const bool closed = ::close(descriptor_) == 0;
+        if (::fsync(descriptor_) != 0) fail("write", target);
+        if (!named_) {
+            const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+            ::unlink(path_.c_str());
+            if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+                fail("write", target);
+            }
+            named_ = true;
+        }
+        const int closed = ::close(descriptor_);
         descriptor_ = -1;
-        if (!flushed || !closed) {
-            throw failure("cannot write {}: {}", target.string(),
-                          std::strerror(flushed ? errno : flush_error));
-        }
-        if (::rename(path_.c_str(), target.c_str()) != 0) {
-            throw failure("cannot rename {} to {}: {}", path_, target.string(),
-                          std::strerror(errno));
-        }
-        kept_ = true;
+        if (closed != 0) fail("write", target);
+        if (::rename(path_.c_str(), target.c_str()) != 0) fail("replace", target);
+        named_ = false;
     }
 
   private:
+    [[noreturn]] static void fail(const char* what, const fs::path& target) {
+        throw failure("cannot {} {}: {}", what, target.string(), std::strerror(errno));
+    }
+
     std::string path_;
     int descriptor_ = -1;
-    bool kept_ = false;
+    bool named_ = false;  ///< the file is to be seen under path_
 };
 
 }  // namespace

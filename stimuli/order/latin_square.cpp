@@ -104,7 +104,7 @@ Square random_latin_square(int n, base::Random& random) {
     base::check_range("latin square", "order", n, 1, kMostConditions);
     if (n == 1) return {{0}};
     IncidenceCube cube(n);
-    for (int proper = 0; proper < n * n + 64;) {
+    for (int proper = 0; proper < n * n + 16;) {
         cube.move(random);
         if (cube.is_proper()) ++proper;
     }

@@ -12,7 +12,7 @@ namespace obscura::stimuli {
 ///
 /// Jacobson and Matthews 1996, "Generating uniformly distributed random Latin squares": a Markov
 /// chain over proper squares and squares with one cell out of balance, whose moves connect all of
-/// them and which visits every proper square equally often. The square is the (n^2 + 64)-th proper
+/// them and which visits every proper square equally often. The square is the (n^2 + 16)-th proper
 /// one, so that which one it is depends on visits alone, not on when a visit happened; then rows,
 /// columns and symbols are permuted uniformly, which leaves the law as it is and makes every square
 /// of the same shape exactly equally likely after any number of moves.

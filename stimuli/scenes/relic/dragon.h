@@ -19,20 +19,6 @@ inline constexpr glm::vec3 kPale{0.76F, 0.76F, 0.70F};
 inline constexpr glm::vec3 kDeep{0.56F, 0.65F, 0.575F};
 inline constexpr glm::vec3 kSandstone{0.72F, 0.68F, 0.61F};
 
-/// A place on the sculpture that parts are modelled at: right, up and forward are the columns.
-struct Placed {
-    glm::vec3 origin_m{0.0F};
-    glm::mat3 axes{1.0F};
-
-    [[nodiscard]] glm::vec3 operator()(float right, float up, float forward) const {
-        return origin_m + axes * glm::vec3(right, up, forward);
-    }
-    [[nodiscard]] Knot knot(float right, float up, float forward, float width_m,
-                            float height_m = 0.0F) const {
-        return {(*this)(right, up, forward), width_m, height_m};
-    }
-};
-
 /// The spine from the tip of the tail to the skull; normals point to the back.
 [[nodiscard]] Curve spine();
 /// Where the head sits on the spine.

@@ -10,9 +10,9 @@ namespace obscura::stimuli::relic {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kScalesAround = 18;
+constexpr int kScalesAround = 16;
 constexpr float kScaleLength = 0.95F;  ///< of a row, in widths of a scale
-constexpr float kScaleHigh_m = 0.0055F;
+constexpr float kScaleHigh_m = 0.0125F;
 
 float smooth(float low, float high, float value) {
     const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
@@ -23,40 +23,42 @@ float smooth(float low, float high, float value) {
 /// with the body's girth.
 class RowsAlong {
   public:
-    explicit RowsAlong(const Curve& curve) : curve_(curve) {
-        rows_.push_back(0.0F);
-        for (std::size_t i = 1; i < curve.size(); ++i) {
-            const float radius = 0.5F * (curve[i].width_m + curve[i - 1].width_m);
-            const float row = kScaleLength * 2.0F * kPi * radius / kScalesAround;
-            rows_.push_back(rows_.back() + (curve[i].length_m - curve[i - 1].length_m) / row);
+    explicit RowsAlong(const Curve& curve) : step_m_(curve.back().length_m / kSteps) {
+        float rows = 0.0F;
+        std::size_t next = 1;
+        for (int step = 0; step <= kSteps; ++step) {
+            const float along_m = step_m_ * static_cast<float>(step);
+            while (next + 1 < curve.size() && curve[next].length_m < along_m) ++next;
+            rows_.push_back(rows);
+            rows += step_m_ / (kScaleLength * 2.0F * kPi * curve[next].width_m / kScalesAround);
         }
     }
     [[nodiscard]] float at(float along_m) const {
-        const auto after = std::upper_bound(
-            curve_.begin() + 1, curve_.end() - 1, along_m,
-            [](float value, const CurvePoint& point) { return value < point.length_m; });
-        const auto i = static_cast<std::size_t>(after - curve_.begin());
-        const float span = curve_[i].length_m - curve_[i - 1].length_m;
-        return rows_[i - 1] + (rows_[i] - rows_[i - 1]) * (along_m - curve_[i - 1].length_m) / span;
+        const float step = std::clamp(along_m / step_m_, 0.0F, kSteps - 0.001F);
+        const auto i = static_cast<std::size_t>(step);
+        return rows_[i] + (rows_[i + 1] - rows_[i]) * (step - static_cast<float>(i));
     }
 
   private:
-    Curve curve_;
+    static constexpr int kSteps = 400;
+    float step_m_;
     std::vector<float> rows_;
 };
 
 /// Overlapping scales, their free edges towards the tail: the highest of the scales of three rows.
 float scale_height(float around, float row) {
     float highest = 0.0F;
-    const float nearest = std::round(row);
-    for (float j = nearest - 1.0F; j <= nearest + 1.0F; j += 1.0F) {
-        const float shift = std::fmod(std::abs(j), 2.0F) > 0.5F ? 0.5F : 0.0F;
-        const float x = around - shift - std::round(around - shift);
-        const float y = row - j;
+    const int nearest = static_cast<int>(row + 0.5F);
+    for (int j = nearest - 1; j <= nearest + 1; ++j) {
+        // Shifted so that the truncation rounds to the nearest scale.
+        const float shifted = around + (j % 2 == 0 ? 64.0F : 63.5F);
+        const float x = shifted - static_cast<float>(static_cast<int>(shifted + 0.5F));
+        const float y = row - static_cast<float>(j);
         const float out = std::sqrt(x * x / (0.56F * 0.56F) + y * y / (0.98F * 0.98F));
-        const float lift = 0.62F - 0.38F * y;
+        const float lift = 0.60F - 0.40F * y;
         const float keel = 0.16F * smooth(0.16F, 0.0F, std::abs(x));
-        highest = std::max(highest, smooth(1.0F, 0.8F, out) * (lift + keel));
+        if (out >= 1.0F) continue;
+        highest = std::max(highest, smooth(1.0F, 0.72F, out) * (lift + keel));
     }
     return highest;
 }
@@ -64,7 +66,7 @@ float scale_height(float around, float row) {
 /// Broad plates across the belly, each overlapping the next.
 float plate_height(float row) {
     const float part = row * 0.55F - std::floor(row * 0.55F);
-    return (1.0F - 0.75F * part) * smooth(0.0F, 0.12F, part);
+    return (1.0F - 0.75F * part) * smooth(0.0F, 0.16F, part);
 }
 
 Relief scales_and_plates(const Curve& spine) {
@@ -120,8 +122,8 @@ Curve spine() {
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const std::size_t bone = std::min(i / kSteps, bones.size() - 2);
         const float t = static_cast<float>(i - bone * kSteps) / kSteps;
-        curve[i].normal = glm::mix(glm::normalize(bones[bone].back),
-                                   glm::normalize(bones[bone + 1].back), t);
+        curve[i].normal =
+            glm::mix(glm::normalize(bones[bone].back), glm::normalize(bones[bone + 1].back), t);
     }
     rebuild_frames(curve);
     return curve;
@@ -140,11 +142,12 @@ void add_body(Sculpture& sculpture, const Curve& spine) {
         const float long_m = 0.13F - 0.05F * std::abs(lean);
         const glm::vec3 bend = side * (0.028F * (i % 2 == 0 ? 1.0F : -1.0F));
         const glm::vec3 depth(0.0F, 0.0F, 0.012F * static_cast<float>((i + 3) % 3 - 1));
-        const Curve flame = make_curve({{tip - away * 0.03F, 0.010F, 0.007F},
-                                        {tip + out * (0.35F * long_m) + bend * 0.5F + depth, 0.017F, 0.009F},
-                                        {tip + out * (0.75F * long_m) - bend * 0.3F + depth, 0.010F, 0.006F},
-                                        {tip + out * long_m + bend * 0.4F + depth, 0.002F, 0.002F}},
-                                       5, side);
+        const Curve flame =
+            make_curve({{tip - away * 0.03F, 0.010F, 0.007F},
+                        {tip + out * (0.35F * long_m) + bend * 0.5F + depth, 0.017F, 0.009F},
+                        {tip + out * (0.75F * long_m) - bend * 0.3F + depth, 0.010F, 0.006F},
+                        {tip + out * long_m + bend * 0.4F + depth, 0.002F, 0.002F}},
+                       5, side);
         sculpture.add(tube(flame), {0.006F, kPale, true});
     }
 }

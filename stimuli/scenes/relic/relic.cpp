@@ -14,17 +14,35 @@ namespace {
 glm::vec3 veined(const glm::vec3& p, const glm::vec3&, const glm::vec3& tint) {
     const float cloud = fbm(p * 5.0F, 21, 3);
     const float vein = ridged(p * 4.0F + 0.35F * cloud, 33, 2);
-    const float light = 1.0F + 0.07F * cloud - 0.06F * std::clamp((vein - 0.88F) * 8.0F, 0.0F, 1.0F);
-    const glm::vec3 warm = glm::mix(glm::vec3(1.0F), glm::vec3(1.05F, 1.0F, 0.94F), 0.5F + 0.5F * cloud);
+    const float light =
+        1.0F + 0.07F * cloud - 0.06F * std::clamp((vein - 0.88F) * 8.0F, 0.0F, 1.0F);
+    const glm::vec3 warm =
+        glm::mix(glm::vec3(1.0F), glm::vec3(1.05F, 1.0F, 0.94F), 0.5F + 0.5F * cloud);
     return tint * light * warm;
 }
 
+/// The piece stands on y = 0: nobody sees what faces the ground there.
+void leave_out_underside(renderer::Mesh& mesh) {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto on_ground = [&](std::size_t corner) {
+            const renderer::Vertex& vertex = mesh.vertices[mesh.indices[i + corner]];
+            return vertex.position_m.y < 0.001F && vertex.normal.y < -0.9F;
+        };
+        if (on_ground(0) && on_ground(1) && on_ground(2)) continue;
+        kept.insert(kept.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
+                    mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    }
+    mesh.indices = std::move(kept);
+}
+
 renderer::Scene build() {
-    constexpr float kCell_m = 0.0040F;
-    constexpr float kHeadCell_m = 0.0024F;
+    constexpr float kCell_m = 0.0054F;
+    constexpr float kHeadCell_m = 0.0032F;
     renderer::Scene scene;
     scene.name = "relic";
-    scene.materials.push_back({.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
+    scene.materials.push_back(
+        {.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
     const Curve spine = relic::spine();
     Sculpture body;
     relic::add_body(body, spine);
@@ -38,6 +56,7 @@ renderer::Scene build() {
          {std::tuple{"body and base", &body, kCell_m}, std::tuple{"head", &head, kHeadCell_m}}) {
         renderer::Mesh mesh = polygonise(*sculpture, cell_m, veined);
         mesh.name = name;
+        leave_out_underside(mesh);
         scene.meshes.push_back(std::move(mesh));
     }
     // The piece is 1.15 m high and fills 70 % of the frame's height.
@@ -51,7 +70,7 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.25F, 0.85F, 3.2F}, {0.02F, 0.57F, 0.0F}, 0.50F),
+    scene.cameras = {camera("front", {-0.25F, 0.85F, 3.2F}, {0.02F, 0.57F, 0.0F}, 0.55F),
                      camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.57F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;

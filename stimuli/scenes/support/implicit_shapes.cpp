@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace obscura::stimuli {
 namespace {
@@ -113,6 +115,29 @@ class HalfSpace final : public Shape {
     glm::vec3 point_, normal_;
 };
 
+class Grown final : public Shape {
+  public:
+    Grown(ShapePtr shape, float by) : shape_(std::move(shape)), by_(by) {}
+    [[nodiscard]] float distance(const glm::vec3& p) const override {
+        return shape_->distance(p) - by_;
+    }
+    [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
+        return shape_->lower_bound(p) - by_;
+    }
+    [[nodiscard]] Bounds bounds() const override {
+        const Bounds inner = shape_->bounds();
+        return {inner.low - by_, inner.high + by_};
+    }
+    [[nodiscard]] ShapePtr restricted(const glm::vec3& p, float radius) const override {
+        ShapePtr inner = shape_->restricted(p, radius + std::abs(by_));
+        return inner ? std::make_shared<Grown>(std::move(inner), by_) : nullptr;
+    }
+
+  private:
+    ShapePtr shape_;
+    float by_;
+};
+
 class TubeSegment final : public Shape {
   public:
     TubeSegment(const CurvePoint& a, const CurvePoint& b, const TubeStyle& style)
@@ -124,41 +149,57 @@ class TubeSegment final : public Shape {
     }
 
     [[nodiscard]] float distance(const glm::vec3& p) const override {
+        return distance_below(p, std::numeric_limits<float>::max());
+    }
+    [[nodiscard]] float distance_below(const glm::vec3& p, float limit) const override {
         const glm::vec3 pa = p - a_.position_m;
         const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
         const glm::vec3 d = pa - ba_ * t;
         const float w = a_.width_m + (b_.width_m - a_.width_m) * t;
-        if (round_ && !style_.relief) return glm::length(d) - w;
+        const float length = glm::length(d);
+        if (round_) return length - w;
         const float h = a_.height_m + (b_.height_m - a_.height_m) * t;
-        const glm::vec3 mixed = a_.normal + (b_.normal - a_.normal) * t;
-        const glm::vec3 normal = glm::normalize(mixed - direction_ * glm::dot(mixed, direction_));
-        const glm::vec3 side = glm::cross(direction_, normal);
-        const glm::vec3 local(glm::dot(d, normal), glm::dot(d, side), glm::dot(d, direction_));
-        float result = round_ ? glm::length(d) - w : section(local, w, h);
-        if (style_.relief && result < 2.0F * style_.relief_high_m + 0.02F) {
-            const TubePoint at{a_.length_m + (b_.length_m - a_.length_m) * t,
-                               std::atan2(local.y, local.x), std::sqrt(w * h), p};
-            result -= style_.relief(at);
-        }
-        return result;
+        // The squarish section reaches past the ellipse, at most by the fourth root of two.
+        const float capsule = length - 1.19F * std::max(w, h);
+        if (capsule >= limit) return capsule;
+        return section(local(d, t), w, h);
     }
+    [[nodiscard]] float relief(const glm::vec3& p) const override {
+        if (!style_.relief) return 0.0F;
+        const glm::vec3 pa = p - a_.position_m;
+        const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
+        const glm::vec3 at = local(pa - ba_ * t, t);
+        const float w = a_.width_m + (b_.width_m - a_.width_m) * t;
+        const float h = a_.height_m + (b_.height_m - a_.height_m) * t;
+        return style_.relief({a_.length_m + (b_.length_m - a_.length_m) * t, std::atan2(at.y, at.x),
+                              std::sqrt(w * h), p});
+    }
+    [[nodiscard]] float relief_high() const override { return style_.relief_high_m; }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         const glm::vec3 pa = p - a_.position_m;
         const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
-        return glm::length(pa - ba_ * t) - thick_ - style_.relief_high_m;
+        return glm::length(pa - ba_ * t) - 1.19F * thick_ - style_.relief_high_m;
     }
     [[nodiscard]] Bounds bounds() const override {
         Bounds result;
-        result.include(a_.position_m, thick_ + style_.relief_high_m);
-        result.include(b_.position_m, thick_ + style_.relief_high_m);
+        result.include(a_.position_m, 1.19F * thick_ + style_.relief_high_m);
+        result.include(b_.position_m, 1.19F * thick_ + style_.relief_high_m);
         return result;
     }
 
   private:
+    /// Along the normal, across it and along the axis.
+    [[nodiscard]] glm::vec3 local(const glm::vec3& d, float t) const {
+        const glm::vec3 mixed = a_.normal + (b_.normal - a_.normal) * t;
+        const glm::vec3 normal = glm::normalize(mixed - direction_ * glm::dot(mixed, direction_));
+        const glm::vec3 side = glm::cross(direction_, normal);
+        return {glm::dot(d, normal), glm::dot(d, side), glm::dot(d, direction_)};
+    }
+
     /// First-order distance to the (super)ellipse; beyond an end the section closes as a cap.
-    [[nodiscard]] float section(const glm::vec3& local, float w, float h) const {
+    [[nodiscard]] float section(const glm::vec3& at, float w, float h) const {
         const glm::vec3 radii(w, h, std::min(w, h));
-        const glm::vec3 q = local / radii;
+        const glm::vec3 q = at / radii;
         if (style_.squarish) {
             const glm::vec3 q3 = q * q * q;
             const float k0 = std::sqrt(std::sqrt(glm::dot(q3, q)));
@@ -215,6 +256,10 @@ ShapePtr ellipsoid(const glm::vec3& centre_m, const glm::vec3& radii_m, const gl
 ShapePtr rounded_box(const glm::vec3& centre_m, const glm::vec3& half_m, float rounding_m,
                      const glm::mat3& axes) {
     return std::make_shared<RoundedBox>(centre_m, half_m, rounding_m, axes);
+}
+
+ShapePtr grown(ShapePtr shape, float by_m) {
+    return std::make_shared<Grown>(std::move(shape), by_m);
 }
 
 ShapePtr half_space(const glm::vec3& point_m, const glm::vec3& normal) {

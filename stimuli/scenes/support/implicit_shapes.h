@@ -24,9 +24,29 @@ class Shape {
     virtual ~Shape() = default;
     /// Signed distance, exact or of first order near the surface; its sign is always right.
     [[nodiscard]] virtual float distance(const glm::vec3& point_m) const = 0;
-    /// Never more than the true distance to the solid; may be coarser than distance().
+    /// As distance() where that is below `limit_m`; otherwise anything not below the limit.
+    [[nodiscard]] virtual float distance_below(const glm::vec3& point_m, float limit_m) const {
+        static_cast<void>(limit_m);
+        return distance(point_m);
+    }
+    /// How far the surface is raised there above what distance() says: 0 for most shapes.
+    [[nodiscard]] virtual float relief(const glm::vec3& point_m) const {
+        static_cast<void>(point_m);
+        return 0.0F;
+    }
+    /// Largest value of relief().
+    [[nodiscard]] virtual float relief_high() const { return 0.0F; }
+    /// Never more than the true distance to the raised solid; may be coarser than distance().
     [[nodiscard]] virtual float lower_bound(const glm::vec3& point_m) const = 0;
     [[nodiscard]] virtual Bounds bounds() const = 0;
+    /// A cheaper shape that is the same within `radius_m` of the point wherever its distance is
+    /// below `radius_m`; null where this one is cheap enough. It must not outlive this one.
+    [[nodiscard]] virtual std::shared_ptr<const Shape> restricted(const glm::vec3& point_m,
+                                                                  float radius_m) const {
+        static_cast<void>(point_m);
+        static_cast<void>(radius_m);
+        return nullptr;
+    }
 };
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -43,6 +63,9 @@ using ShapePtr = std::shared_ptr<const Shape>;
 /// Everything on the side of the plane that `normal` (unit length) points away from.
 [[nodiscard]] ShapePtr half_space(const glm::vec3& point_m, const glm::vec3& normal);
 
+/// The shape grown by `by_m` on all sides (shrunk where negative).
+[[nodiscard]] ShapePtr grown(ShapePtr shape, float by_m);
+
 /// A point of a curve that a section is swept along.
 struct CurvePoint {
     glm::vec3 position_m{0.0F};
@@ -58,6 +81,20 @@ struct Knot {
     glm::vec3 position_m{0.0F};
     float width_m = 0.01F;
     float height_m = 0.0F;  ///< 0: as width_m, a round section
+};
+
+/// A place that parts are modelled at: right, up and forward are the columns.
+struct Placed {
+    glm::vec3 origin_m{0.0F};
+    glm::mat3 axes{1.0F};
+
+    [[nodiscard]] glm::vec3 operator()(float right, float up, float forward) const {
+        return origin_m + axes * glm::vec3(right, up, forward);
+    }
+    [[nodiscard]] Knot knot(float right, float up, float forward, float width_m,
+                            float height_m = 0.0F) const {
+        return {(*this)(right, up, forward), width_m, height_m};
+    }
 };
 
 /// A Catmull-Rom spline through the knots, `steps` points a span; normals are `normal_hint` made

@@ -12,9 +12,10 @@
 namespace obscura::stimuli {
 namespace {
 
-constexpr int kCells = 8;             ///< cells along an edge of a block
+constexpr int kCells = 4;             ///< cells along an edge of a block
+constexpr int kLocalCells = 16;  ///< size of a block for which nested sculptures are cut down
 constexpr int kSide = kCells + 1;     ///< corners along an edge, those of the next blocks included
-constexpr float kReachFactor = 2.0F;  ///< slack for fields that are distances of first order only
+constexpr float kReachFactor = 1.4F;  ///< slack for fields that are distances of first order only
 
 /// A corner whose edge along `axis` crosses the surface.
 struct Crossing {
@@ -78,6 +79,7 @@ class Mesher {
         auto parts = sculpture_.near(centre, radius_m, above);
         if (parts.empty()) return;
         if (std::abs(sculpture_.distance(centre, parts)) > kReachFactor * radius_m) return;
+        if (cells == kLocalCells) sculpture_.localise(centre, 2.0F * radius_m, parts, owners_);
         if (cells == kCells) {
             blocks_.emplace_back();
             blocks_.back().origin = origin;
@@ -165,8 +167,9 @@ class Mesher {
                     if (!middle_of_crossings(cube, middle)) continue;
                     block.vertex_of_cell[static_cast<std::size_t>(cell_index(x, y, z))] =
                         static_cast<std::int32_t>(block.vertices.size());
-                    block.vertices.push_back(vertex_at(
-                        position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle), block));
+                    block.vertices.push_back(
+                        vertex_at(position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle),
+                                  cube, block));
                 }
             }
         }
@@ -193,32 +196,37 @@ class Mesher {
         return true;
     }
 
-    /// Gradient and, as its length says how the field is scaled, value over gradient. The four
-    /// taps are the corners of a tetrahedron.
-    [[nodiscard]] glm::vec3 gradient(const glm::vec3& p, const Block& block, float& mean) const {
+    /// From four taps at the corners of a tetrahedron.
+    [[nodiscard]] glm::vec3 gradient(const glm::vec3& p, const Block& block) const {
         const float h = 0.4F * cell_m_;
         constexpr std::array<glm::vec3, 4> kTaps{glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1),
                                                  glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)};
         glm::vec3 sum(0.0F);
-        mean = 0.0F;
         for (const glm::vec3& tap : kTaps) {
-            const float d = sculpture_.distance(p + h * tap, block.parts);
-            sum += tap * d;
-            mean += 0.25F * d;
+            sum += tap * sculpture_.distance(p + h * tap, block.parts);
         }
         return sum / (4.0F * h);
     }
 
-    [[nodiscard]] renderer::Vertex vertex_at(const glm::vec3& start, const Block& block) const {
-        float value = 0.0F;
-        glm::vec3 slope = gradient(start, block, value);
-        const float steep2 = std::max(glm::dot(slope, slope), 0.05F);
+    /// Moves the mean of the crossings onto the surface, along the slope between the cell's
+    /// corners.
+    [[nodiscard]] renderer::Vertex vertex_at(const glm::vec3& start,
+                                             const std::array<float, 8>& cube,
+                                             const Block& block) const {
+        glm::vec3 slope(0.0F);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            slope += sign * cube[static_cast<std::size_t>(corner)];
+        }
+        slope /= 4.0F * cell_m_;
+        const float value = sculpture_.distance(start, block.parts);
+        const float steep2 = std::max(glm::dot(slope, slope), 0.25F);
         glm::vec3 step = -slope * (value / steep2);
         const float longest = 0.5F * cell_m_;
         if (glm::length(step) > longest) step *= longest / glm::length(step);
         renderer::Vertex vertex;
         vertex.position_m = start + step;
-        slope = gradient(vertex.position_m, block, value);
+        slope = gradient(vertex.position_m, block);
         const float length = glm::length(slope);
         vertex.normal = length > 1e-6F ? slope / length : glm::vec3(0.0F, 1.0F, 0.0F);
         const glm::vec3 hint = std::abs(vertex.normal.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F)
@@ -280,6 +288,7 @@ class Mesher {
     const Painter& painter_;
     glm::vec3 origin_m_{0.0F};
     std::vector<Block> blocks_;
+    std::vector<ShapePtr> owners_;
     std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 

@@ -52,12 +52,22 @@ class Sculpture {
     struct Part {
         const Shape* shape = nullptr;
         std::uint32_t stroke = 0;
+        glm::vec3 centre_m{0.0F};  ///< of a sphere around the shape
+        float radius_m = 0.0F;
+        float relief_high_m = 0.0F;
     };
     /// The parts that can matter within `radius_m` of the point, out of `parts`, near the surface.
     [[nodiscard]] std::vector<Part> near(const glm::vec3& point_m, float radius_m,
                                          std::span<const Part> parts) const;
+    /// Replaces parts that are sculptures themselves by what of them is near; `owners` keeps the
+    /// replacements alive.
+    void localise(const glm::vec3& point_m, float radius_m, std::vector<Part>& parts,
+                  std::vector<ShapePtr>& owners) const;
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
     [[nodiscard]] float distance(const glm::vec3& point_m, std::span<const Part> parts) const;
+    /// As distance() where that is below the limit; otherwise anything not below it.
+    [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m,
+                                       std::span<const Part> parts) const;
     [[nodiscard]] glm::vec3 tint(const glm::vec3& point_m, std::span<const Part> parts) const;
 
   private:
@@ -66,6 +76,13 @@ class Sculpture {
         StrokeStyle style;
         float margin_m = 0.0F;  ///< within which the stroke can change the surface
     };
+    /// The distance to the stroke that starts at parts[i], or anything not below the limit; moves i
+    /// to the next stroke.
+    [[nodiscard]] static float stroke_distance(const glm::vec3& point_m,
+                                               std::span<const Part> parts, std::size_t& i,
+                                               float limit_m);
+    [[nodiscard]] float undisplaced(const glm::vec3& point_m, std::span<const Part> parts) const;
+    [[nodiscard]] float limit_of(const Stroke& stroke, float so_far) const;
     void stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style);
 
     std::vector<ShapePtr> shapes_;

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obscura::analysis {
+
+/// One record of a CSV file.
+struct CsvRecord {
+    int line = 0;  ///< where it begins, from 1
+    std::vector<std::string> fields;
+};
+
+/// The records of RFC 4180 text: quotes, quotes within quotes, commas and line ends within quotes.
+/// A UTF-8 byte order mark and empty lines are passed over, lines end with LF or CRLF. Throws bad
+/// input as `name:line: what is wrong` for quotes that do not close or stand in the middle of a
+/// field, and for text that is not UTF-8.
+[[nodiscard]] std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name);
+
+/// One record with its line feed, quoted where RFC 4180 asks for it. A record of one empty field is
+/// written with quotes, because a reader would take it for an empty line.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
+
+}  // namespace obscura::analysis

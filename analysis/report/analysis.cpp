@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/report/analysis.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "analysis/statistics/cohens_g.h"
+#include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/holm.h"
+
+namespace obscura::analysis {
+namespace {
+
+constexpr std::array<std::string_view, 3> kLevels{"low", "moderate", "high"};
+
+Preference preference_of(const Votes& votes) {
+    Preference preference;
+    preference.votes = votes;
+    if (votes.n() > 0) {
+        preference.share_b = static_cast<double>(votes.b) / static_cast<double>(votes.n());
+    }
+    preference.chi_square = chi_square_equal_split(votes);
+    preference.exact = exact_binomial(votes.b, votes.n());
+    preference.wilson = wilson(votes.b, votes.n(), kConfidence);
+    preference.cohens_g = cohens_g(votes);
+    return preference;
+}
+
+std::vector<ConditionResult> test_conditions(const Tally& tally) {
+    std::vector<ConditionResult> results;
+    std::vector<double> family;
+    for (const ConditionVotes& condition : tally.conditions) {
+        ConditionResult result;
+        result.condition = condition;
+        result.preference = preference_of(condition.votes);
+        if (result.preference.chi_square.has_value()) {
+            family.push_back(result.preference.chi_square->p.p);
+        }
+        results.push_back(std::move(result));
+    }
+    const std::vector<double> adjusted = holm(family);
+    auto next = adjusted.begin();
+    for (ConditionResult& result : results) {
+        if (result.preference.chi_square.has_value()) result.p_holm = *next++;
+    }
+    return results;
+}
+
+bool is_significant(const Possible<ChiSquareTest>& test) {
+    return test.has_value() && test->p.p < kSignificance;
+}
+
+std::string test_words(const ChiSquareTest& test) {
+    return fmt::format("chi-square {:.4g}, df {}, p {}", test.statistic, test.df, p_text(test.p));
+}
+
+std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
+    if (!result.pooled.chi_square.has_value()) {
+        return fmt::format("{}: no votes, so nothing can be said.", result.name);
+    }
+    const Votes& votes = result.pooled.votes;
+    const bool differs = is_significant(result.pooled.chi_square);
+    const char* verdict = !differs            ? "no significant difference from an equal split"
+                          : votes.b > votes.a ? "B was preferred"
+                                              : "A was preferred";
+    return fmt::format(
+        "{} ({}): together {} votes for A and {} for B ({:.1f} % B), {}: {}. Alone {} of its {} "
+        "conditions {} significant at {:g}, after Holm's correction for {} tests {}.",
+        result.name, fmt::join(result.conditions, ", "), votes.a, votes.b,
+        100.0 * *result.pooled.share_b, test_words(*result.pooled.chi_square), verdict,
+        result.significant, result.conditions.size(), result.significant == 1 ? "is" : "are",
+        kSignificance, tests, result.significant_holm);
+}
+
+std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
+    std::map<std::string, HypothesisResult> by_name;
+    std::size_t tests = 0;
+    for (const ConditionResult& result : conditions) {
+        if (result.p_holm.has_value()) ++tests;
+        if (result.condition.hypothesis.empty()) continue;
+        HypothesisResult& hypothesis = by_name[result.condition.hypothesis];
+        hypothesis.name = result.condition.hypothesis;
+        hypothesis.conditions.push_back(result.condition.id);
+        hypothesis.pooled.votes.a += result.condition.votes.a;
+        hypothesis.pooled.votes.b += result.condition.votes.b;
+        if (is_significant(result.preference.chi_square)) ++hypothesis.significant;
+        if (result.p_holm.has_value() && *result.p_holm < kSignificance) {
+            ++hypothesis.significant_holm;
+        }
+    }
+    std::vector<HypothesisResult> results;
+    for (auto& [name, hypothesis] : by_name) {
+        hypothesis.pooled = preference_of(hypothesis.pooled.votes);
+        hypothesis.sentence = sentence_of(hypothesis, tests);
+        results.push_back(std::move(hypothesis));
+    }
+    return results;
+}
+
+/// Conditions that show the same two variants, in order of the levels.
+using Family = std::vector<const ConditionVotes*>;
+
+std::vector<Family> families_of(const Tally& tally) {
+    std::vector<Family> families;
+    std::map<std::pair<std::string, std::string>, std::size_t> place;
+    for (const ConditionVotes& condition : tally.conditions) {
+        const auto key = std::pair(condition.variant_a, condition.variant_b);
+        const auto [entry, is_new] = place.emplace(key, families.size());
+        if (is_new) families.emplace_back();
+        families[entry->second].push_back(&condition);
+    }
+    const auto level = [](const ConditionVotes* condition) {
+        return std::find(kLevels.begin(), kLevels.end(), condition->validity);
+    };
+    for (Family& family : families) {
+        std::stable_sort(family.begin(), family.end(), [&](const auto* one, const auto* other) {
+            return level(one) < level(other);
+        });
+    }
+    return families;
+}
+
+Comparison by_level(const Family& family) {
+    Comparison comparison{family.front()->variant_a, family.front()->variant_b, {}, {}, {}};
+    for (const ConditionVotes* condition : family) {
+        if (comparison.levels.empty() || comparison.levels.back() != condition->validity) {
+            comparison.levels.push_back(condition->validity);
+            comparison.votes.emplace_back();
+        }
+        comparison.conditions.push_back(condition->id);
+        comparison.votes.back().a += condition->votes.a;
+        comparison.votes.back().b += condition->votes.b;
+    }
+    comparison.test = chi_square_homogeneity(comparison.votes);
+    return comparison;
+}
+
+std::string sentence_of(const std::vector<Comparison>& comparisons) {
+    if (comparisons.empty()) {
+        return "No two variants were shown at more than one level of validity, so nothing can be "
+               "said about its influence.";
+    }
+    std::string sentence = "Does the preference depend on validity?";
+    for (const Comparison& comparison : comparisons) {
+        sentence +=
+            fmt::format(" {} against {} over {} ({}): ", comparison.variant_a, comparison.variant_b,
+                        fmt::join(comparison.levels, ", "), fmt::join(comparison.conditions, ", "));
+        if (!comparison.test.has_value()) {
+            sentence += fmt::format("no test, {}.", comparison.test.reason);
+        } else {
+            sentence += fmt::format("{}, {}.", test_words(*comparison.test),
+                                    is_significant(comparison.test)
+                                        ? "the levels differ"
+                                        : "no significant difference between the levels");
+        }
+    }
+    return sentence;
+}
+
+ValidityResult test_validity(const Tally& tally) {
+    ValidityResult result;
+    for (const Family& family : families_of(tally)) {
+        if (family.front()->validity == family.back()->validity) continue;
+        result.by_level.push_back(by_level(family));
+        for (std::size_t i = 0; i < family.size(); ++i) {
+            for (std::size_t j = i + 1; j < family.size(); ++j) {
+                if (family[i]->validity == family[j]->validity) continue;
+                result.by_pair.push_back(by_level({family[i], family[j]}));
+            }
+        }
+    }
+    result.sentence = sentence_of(result.by_level);
+    return result;
+}
+
+}  // namespace
+
+Analysis analyse(const Tally& tally) {
+    Analysis analysis;
+    analysis.tally = tally;
+    analysis.conditions = test_conditions(tally);
+    analysis.hypotheses = test_hypotheses(analysis.conditions);
+    analysis.validity = test_validity(tally);
+    if (tally.order.has_value()) {
+        analysis.order_bias =
+            OrderBias{*tally.order, exact_binomial(tally.order->second_chosen, tally.order->n)};
+    } else {
+        analysis.order_bias = Possible<OrderBias>::none(tally.order.reason);
+    }
+    return analysis;
+}
+
+std::string p_text(const PValue& p) {
+    constexpr double kShownAsPower = 1e-290;
+    if (p.p >= kShownAsPower) return fmt::format("{:.4g}", p.p);
+    return fmt::format("10^{:.2f}", p.log10_p);
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/chi_square.h"
+#include "analysis/statistics/possible.h"
+#include "analysis/statistics/wilson.h"
+#include "analysis/tally.h"
+
+namespace obscura::analysis {
+
+/// The level below which a p-value is called significant, as in Jakobsen 2010.
+inline constexpr double kSignificance = 0.05;
+inline constexpr double kConfidence = 0.95;
+
+/// Is one of two images preferred? Every test of one set of votes.
+struct Preference {
+    Votes votes;
+    Possible<double> share_b = Possible<double>::none("no votes");
+    Possible<ChiSquareTest> chi_square = Possible<ChiSquareTest>::none("no votes");
+    Possible<PValue> exact = Possible<PValue>::none("no votes");
+    Possible<Interval> wilson = Possible<Interval>::none("no votes");
+    Possible<double> cohens_g = Possible<double>::none("no votes");
+};
+
+struct ConditionResult {
+    ConditionVotes condition;
+    Preference preference;
+    /// The chi-square p-value after Holm's correction over all conditions that have one.
+    Possible<double> p_holm = Possible<double>::none("no votes");
+};
+
+/// A hypothesis that conditions name: their votes together.
+struct HypothesisResult {
+    std::string name;
+    std::vector<std::string> conditions;
+    Preference pooled;
+    int significant = 0;       ///< conditions with p below the level
+    int significant_holm = 0;  ///< those still below it after Holm's correction
+    std::string sentence;
+};
+
+/// Does the share of B differ between conditions that show the same two variants?
+struct Comparison {
+    std::string variant_a;
+    std::string variant_b;
+    std::vector<std::string> conditions;
+    std::vector<std::string> levels;  ///< validity of each row of votes
+    std::vector<Votes> votes;         ///< one row a level, or a condition
+    Possible<ChiSquareTest> test = Possible<ChiSquareTest>::none("no votes");
+};
+
+/// H3: the effect depends on ecological validity.
+struct ValidityResult {
+    /// For each pair of variants shown at two levels or more: the votes of a level together.
+    std::vector<Comparison> by_level;
+    /// Every two conditions with the same variants and different levels.
+    std::vector<Comparison> by_pair;
+    std::string sentence;
+};
+
+struct OrderBias {
+    OrderVotes votes;
+    Possible<PValue> exact = Possible<PValue>::none("no votes");
+};
+
+/// The answers to the study's questions.
+struct Analysis {
+    Tally tally;
+    std::vector<ConditionResult> conditions;
+    std::vector<HypothesisResult> hypotheses;  ///< in order of their names
+    ValidityResult validity;
+    Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
+};
+
+[[nodiscard]] Analysis analyse(const Tally& tally);
+
+/// A table for people, with what was tested in words. Ends with a line feed.
+[[nodiscard]] std::string text_report(const Analysis& analysis);
+
+/// JSON with numbers in full precision; a value that does not exist is null, and beside NAME stands
+/// NAME_reason. Ends with a line feed.
+[[nodiscard]] std::string json_report(const Analysis& analysis);
+
+/// A p-value for people: four significant digits, a power of ten where a double is too small.
+[[nodiscard]] std::string p_text(const PValue& p);
+
+}  // namespace obscura::analysis

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "analysis/report/analysis.h"
+
+namespace obscura::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// NAME: null and NAME_reason, where there is no value.
+void put_none(Json& object, const std::string& name, const std::string& reason) {
+    object[name] = nullptr;
+    object[name + "_reason"] = reason;
+}
+
+template <typename T>
+void put(Json& object, const std::string& name, const Possible<T>& value) {
+    if (value.has_value()) {
+        object[name] = *value;
+    } else {
+        put_none(object, name, value.reason);
+    }
+}
+
+void put_p(Json& object, const std::string& name, const Possible<PValue>& value) {
+    if (value.has_value()) {
+        object[name] = value->p;
+        object["log10_" + name] = value->log10_p;
+    } else {
+        put_none(object, name, value.reason);
+    }
+}
+
+void put_chi_square(Json& object, const Possible<ChiSquareTest>& test) {
+    if (!test.has_value()) {
+        for (const char* name : {"chi_square", "df", "p_value"}) {
+            put_none(object, name, test.reason);
+        }
+        return;
+    }
+    object["chi_square"] = test->statistic;
+    object["df"] = test->df;
+    put_p(object, "p_value", test->p);
+}
+
+void put_preference(Json& object, const Preference& preference) {
+    object["n"] = preference.votes.n();
+    object["count_a"] = preference.votes.a;
+    object["count_b"] = preference.votes.b;
+    put_chi_square(object, preference.chi_square);
+    put_p(object, "p_exact", preference.exact);
+    put(object, "share_b", preference.share_b);
+    if (preference.wilson.has_value()) {
+        object["wilson_low"] = preference.wilson->low;
+        object["wilson_high"] = preference.wilson->high;
+    } else {
+        put_none(object, "wilson_low", preference.wilson.reason);
+        put_none(object, "wilson_high", preference.wilson.reason);
+    }
+    put(object, "cohens_g", preference.cohens_g);
+}
+
+Json condition_json(const ConditionResult& result) {
+    Json object;
+    object["id"] = result.condition.id;
+    object["hypothesis"] = result.condition.hypothesis;
+    object["validity"] = result.condition.validity;
+    object["variant_a"] = result.condition.variant_a;
+    object["variant_b"] = result.condition.variant_b;
+    put_preference(object, result.preference);
+    put(object, "p_holm", result.p_holm);
+    return object;
+}
+
+Json hypothesis_json(const HypothesisResult& result) {
+    Json object;
+    object["conditions"] = result.conditions;
+    put_preference(object, result.pooled);
+    object["n_significant"] = result.significant;
+    object["n_significant_holm"] = result.significant_holm;
+    object["sentence"] = result.sentence;
+    return object;
+}
+
+Json comparison_json(const Comparison& comparison) {
+    Json object;
+    object["variant_a"] = comparison.variant_a;
+    object["variant_b"] = comparison.variant_b;
+    object["conditions"] = comparison.conditions;
+    object["votes"] = Json::array();
+    for (std::size_t i = 0; i < comparison.votes.size(); ++i) {
+        object["votes"].push_back({{"validity", comparison.levels[i]},
+                                   {"count_a", comparison.votes[i].a},
+                                   {"count_b", comparison.votes[i].b}});
+    }
+    put_chi_square(object, comparison.test);
+    return object;
+}
+
+void add_validity(Json& hypothesis, const ValidityResult& result) {
+    hypothesis["comparisons"] = Json::array();
+    for (const Comparison& comparison : result.by_level) {
+        hypothesis["comparisons"].push_back(comparison_json(comparison));
+    }
+    hypothesis["pairs"] = Json::array();
+    for (const Comparison& pair : result.by_pair) {
+        hypothesis["pairs"].push_back(comparison_json(pair));
+    }
+    hypothesis["validity_sentence"] = result.sentence;
+    if (!hypothesis.contains("sentence")) hypothesis["sentence"] = result.sentence;
+}
+
+void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
+    if (!bias.has_value()) {
+        put_none(object, "order_bias", bias.reason);
+        return;
+    }
+    Json entry;
+    entry["n"] = bias->votes.n;
+    entry["second_chosen"] = bias->votes.second_chosen;
+    put_p(entry, "p_exact", bias->exact);
+    object["order_bias"] = entry;
+}
+
+}  // namespace
+
+std::string json_report(const Analysis& analysis) {
+    const Tally& tally = analysis.tally;
+    Json report;
+    report["source"] = tally.source;
+    if (tally.study.empty()) {
+        put_none(report, "study", "the counts do not say");
+    } else {
+        report["study"] = tally.study;
+    }
+    if (tally.kind) {
+        report["kind"] = to_string(*tally.kind);
+        report["simulated"] = *tally.kind == Kind::kSimulated;
+    } else {
+        put_none(report, "kind", "the counts do not say");
+        put_none(report, "simulated", "the counts do not say");
+    }
+    put(report, "n_participants", tally.n_participants);
+    report["significance_level"] = kSignificance;
+    report["confidence"] = kConfidence;
+    report["conditions"] = Json::array();
+    for (const ConditionResult& result : analysis.conditions) {
+        report["conditions"].push_back(condition_json(result));
+    }
+    report["hypotheses"] = Json::object();
+    for (const HypothesisResult& result : analysis.hypotheses) {
+        report["hypotheses"][result.name] = hypothesis_json(result);
+    }
+    add_validity(report["hypotheses"]["H3"], analysis.validity);
+    put_order_bias(report, analysis.order_bias);
+    return report.dump(2) + '\n';
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/store/store.h"
+
+#include "analysis/store/checks.h"
+#include "analysis/store/columns.h"
+#include "analysis/store/database.h"
+#include "analysis/store/schema.h"
+
+namespace obscura::analysis {
+namespace {
+
+template <typename Record>
+std::string column_names(const Table<Record>& table, const char* prefix) {
+    std::string names;
+    for (const Column<Record>& column : table.columns) {
+        if (!names.empty()) names += ", ";
+        names += prefix;
+        names += column.name;
+    }
+    return names;
+}
+
+template <typename Record>
+void insert(soci::session& session, const Table<Record>& table, const Record& record) {
+    std::vector<Cell> cells(table.columns.size());
+    soci::statement statement(session);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Column<Record>& column = table.columns[i];
+        Cell& cell = cells[i];
+        column.to_cell(record, cell);
+        switch (column.type) {
+            case CellType::kText:
+                statement.exchange(soci::use(cell.text, cell.indicator));
+                break;
+            case CellType::kInteger:
+                statement.exchange(soci::use(cell.integer, cell.indicator));
+                break;
+            case CellType::kReal:
+                statement.exchange(soci::use(cell.real, cell.indicator));
+                break;
+        }
+    }
+    statement.alloc();
+    statement.prepare(fmt::format("INSERT INTO {} ({}) VALUES ({})", table.name,
+                                  column_names(table, ""), column_names(table, ":")));
+    statement.define_and_bind();
+    statement.execute(true);
+}
+
+/// Rows of a table; `rest` is what follows FROM, its named values are in `values`.
+template <typename Record>
+std::vector<Record> select(soci::session& session, const Table<Record>& table,
+                           const std::string& rest, const std::vector<std::string>& values = {}) {
+    std::vector<Cell> cells(table.columns.size());
+    soci::statement statement(session);
+    for (const std::string& value : values) statement.exchange(soci::use(value));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        Cell& cell = cells[i];
+        switch (table.columns[i].type) {
+            case CellType::kText:
+                statement.exchange(soci::into(cell.text, cell.indicator));
+                break;
+            case CellType::kInteger:
+                statement.exchange(soci::into(cell.integer, cell.indicator));
+                break;
+            case CellType::kReal:
+                statement.exchange(soci::into(cell.real, cell.indicator));
+                break;
+        }
+    }
+    statement.alloc();
+    statement.prepare(
+        fmt::format("SELECT {} FROM {} {}", column_names(table, ""), table.name, rest));
+    statement.define_and_bind();
+    statement.execute();
+    std::vector<Record> records;
+    while (statement.fetch()) {
+        Record& record = records.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            table.columns[i].from_cell(record, cells[i]);
+        }
+    }
+    return records;
+}
+
+/// The session of that id. Throws failure when there is none.
+SessionRecord find_session(Database& database, const std::string& session_id) {
+    auto found =
+        select(database.session(), sessions_table(), "WHERE session_id = :id", {session_id});
+    if (found.empty()) {
+        throw base::failure("the store {} has no session {}", database.name(), session_id);
+    }
+    return found.front();
+}
+
+SessionRecord find_open_session(Database& database, const std::string& session_id) {
+    SessionRecord session = find_session(database, session_id);
+    if (session.state != SessionState::kOpen) {
+        throw base::failure("session {} in the store {} is {}, allowed is open", session_id,
+                            database.name(), to_string(session.state));
+    }
+    return session;
+}
+
+/// Trials that count towards condition_count: those of the session's own kind.
+int count_answers(Database& database, const SessionRecord& session) {
+    const std::string kind(to_string(session.kind));
+    int count = 0;
+    database.session() << "SELECT COUNT(*) FROM trials WHERE session_id = :id AND kind = :kind",
+        soci::use(session.session_id), soci::use(kind), soci::into(count);
+    return count;
+}
+
+void refuse_taken_names(Database& database, const SessionRecord& session) {
+    int count = 0;
+    database.session() << "SELECT COUNT(*) FROM participants WHERE participant_id = :id",
+        soci::use(session.participant_id), soci::into(count);
+    if (count > 0) {
+        throw base::failure("participant {} is already in the store {}", session.participant_id,
+                            database.name());
+    }
+    database.session() << "SELECT COUNT(*) FROM sessions WHERE session_id = :id",
+        soci::use(session.session_id), soci::into(count);
+    if (count > 0) {
+        throw base::failure("session {} is already in the store {}", session.session_id,
+                            database.name());
+    }
+}
+
+void refuse_taken_slot(Database& database, const SessionRecord& session) {
+    const std::string kind(to_string(session.kind));
+    const auto seed = static_cast<long long>(session.seed);
+    const auto slot = static_cast<long long>(session.slot);
+    std::string holder;
+    soci::indicator indicator = soci::i_null;
+    database.session() << "SELECT session_id FROM sessions WHERE study = :study AND seed = :seed "
+                          "AND kind = :kind AND slot = :slot AND state <> 'abandoned'",
+        soci::use(session.study), soci::use(seed), soci::use(kind), soci::use(slot),
+        soci::into(holder, indicator);
+    if (database.session().got_data()) {
+        throw base::failure(
+            "slot {} of the order of study {} (seed {}, {}) is taken by session {} in the store {}",
+            session.slot, session.study, session.seed, kind, holder, database.name());
+    }
+}
+
+void refuse_answered(Database& database, const TrialRecord& trial) {
+    const auto answered =
+        select(database.session(), trials_table(), "WHERE session_id = :id", {trial.session_id});
+    for (const TrialRecord& other : answered) {
+        if (other.trial_index == trial.trial_index) {
+            throw base::failure("trial {} of session {} is already answered in the store {}",
+                                trial.trial_index, trial.session_id, database.name());
+        }
+        if (other.kind == trial.kind && other.condition == trial.condition &&
+            (trial.kind == Kind::kParticipant || trial.kind == Kind::kSimulated)) {
+            throw base::failure(
+                "condition {} of session {} is already answered (trial {}) in the store {}",
+                trial.condition, trial.session_id, other.trial_index, database.name());
+        }
+    }
+}
+
+void refuse_other_kind(const TrialRecord& trial, const SessionRecord& session) {
+    const bool aside = trial.kind == Kind::kPractice || trial.kind == Kind::kCatch;
+    if (!aside && trial.kind != session.kind) {
+        throw base::bad_input("trial {} of session {}: kind is {}, but the session's is {}",
+                              trial.trial_index, trial.session_id, to_string(trial.kind),
+                              to_string(session.kind));
+    }
+}
+
+void set_state(Database& database, const std::string& session_id, SessionState state,
+               const std::string& ended_utc) {
+    const std::string name(to_string(state));
+    database.session() << "UPDATE sessions SET state = :state, ended_utc = :ended "
+                          "WHERE session_id = :id",
+        soci::use(name), soci::use(ended_utc), soci::use(session_id);
+}
+
+}  // namespace
+
+struct Store::Impl {
+    Impl(const std::string& url, Access access) : database(url, access == Access::kReadOnly) {}
+    Database database;
+
+    /// `work` in one transaction, its errors in the house's words.
+    template <typename Work>
+    void change(std::string_view doing, Work&& work) {
+        database.guarded(doing, [&] {
+            Transaction transaction(database);
+            work();
+            transaction.commit();
+        });
+    }
+
+    template <typename Record>
+    std::vector<Record> read(const Table<Record>& table, const std::string& rest,
+                             const std::vector<std::string>& values = {}) {
+        return database.guarded("read",
+                                [&] { return select(database.session(), table, rest, values); });
+    }
+};
+
+Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Impl>(url, access)) {
+    Database& database = impl_->database;
+    database.guarded("open", [&] {
+        if (access == Access::kReadOnly) {
+            require_current(database, migrations());
+        } else {
+            migrate(database, migrations());
+            database.use_write_ahead_log();
+        }
+    });
+}
+
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+
+void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session) {
+    check(participant);
+    check(session);
+    if (session.participant_id != participant.participant_id || session.kind != participant.kind) {
+        throw base::bad_input("session {} is of the {} {}, but the participant given is the {} {}",
+                              session.session_id, to_string(session.kind), session.participant_id,
+                              to_string(participant.kind), participant.participant_id);
+    }
+    impl_->change("begin a session in", [&] {
+        Database& database = impl_->database;
+        refuse_taken_names(database, session);
+        refuse_taken_slot(database, session);
+        insert(database.session(), participants_table(), participant);
+        insert(database.session(), sessions_table(), session);
+        insert(database.session(), events_table(),
+               EventRecord{session.session_id, session.started_utc, "session started", ""});
+    });
+}
+
+void Store::add_trial(const TrialRecord& trial) {
+    check(trial);
+    impl_->change("write an answer to", [&] {
+        Database& database = impl_->database;
+        const SessionRecord session = find_open_session(database, trial.session_id);
+        refuse_other_kind(trial, session);
+        refuse_answered(database, trial);
+        if (trial.kind == session.kind &&
+            count_answers(database, session) >= session.condition_count) {
+            throw base::failure("session {} already has all its {} answers in the store {}",
+                                session.session_id, session.condition_count, database.name());
+        }
+        insert(database.session(), trials_table(), trial);
+    });
+}
+
+void Store::add_event(const EventRecord& event) {
+    check(event);
+    impl_->change("write an event to", [&] {
+        if (!event.session_id.empty()) (void)find_session(impl_->database, event.session_id);
+        insert(impl_->database.session(), events_table(), event);
+    });
+}
+
+void Store::complete_session(const std::string& session_id, const std::string& ended_utc) {
+    check_utc("session " + session_id, "ended_utc", ended_utc);
+    impl_->change("complete a session in", [&] {
+        const SessionRecord session = find_open_session(impl_->database, session_id);
+        const int answers = count_answers(impl_->database, session);
+        if (answers != session.condition_count) {
+            throw base::failure("session {} in the store {} has {} answers, complete are {}",
+                                session_id, impl_->database.name(), answers,
+                                session.condition_count);
+        }
+        set_state(impl_->database, session_id, SessionState::kCompleted, ended_utc);
+    });
+}
+
+void Store::abandon_session(const std::string& session_id, const std::string& ended_utc,
+                            const std::string& reason) {
+    const EventRecord event{session_id, ended_utc, "session abandoned", reason};
+    check(event);
+    impl_->change("abandon a session in", [&] {
+        (void)find_open_session(impl_->database, session_id);
+        set_state(impl_->database, session_id, SessionState::kAbandoned, ended_utc);
+        insert(impl_->database.session(), events_table(), event);
+    });
+}
+
+std::vector<SessionRecord> Store::open_sessions(const std::string& study, Kind kind) {
+    return impl_->read(sessions_table(),
+                       "WHERE state = 'open' AND study = :study AND kind = :kind ORDER BY entry",
+                       {study, std::string(to_string(kind))});
+}
+
+std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uint64_t seed,
+                                              Kind kind) {
+    const auto holders =
+        impl_->read(sessions_table(),
+                    "WHERE state <> 'abandoned' AND study = :study AND kind = :kind ORDER BY slot",
+                    {study, std::string(to_string(kind))});
+    std::vector<std::uint64_t> slots;
+    for (const SessionRecord& session : holders) {
+        if (session.seed == seed) slots.push_back(session.slot);
+    }
+    return slots;
+}
+
+std::vector<ParticipantRecord> Store::participants() {
+    return impl_->read(participants_table(), "ORDER BY entry");
+}
+
+std::vector<SessionRecord> Store::sessions() {
+    return impl_->read(sessions_table(), "ORDER BY entry");
+}
+
+std::vector<TrialRecord> Store::trials() {
+    return impl_->read(trials_table(),
+                       "ORDER BY (SELECT s.entry FROM sessions s "
+                       "WHERE s.session_id = trials.session_id), trial_index");
+}
+
+std::vector<TrialRecord> Store::trials_of(const std::string& session_id) {
+    return impl_->read(trials_table(), "WHERE session_id = :id ORDER BY trial_index", {session_id});
+}
+
+std::vector<EventRecord> Store::events() { return impl_->read(events_table(), "ORDER BY entry"); }
+
+}  // namespace obscura::analysis

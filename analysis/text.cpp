@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/text.h"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace obscura::analysis {
+
+bool is_utf8(std::string_view text) {
+    try {
+        (void)nlohmann::json(text).dump();  // strict: throws at the first ill-formed byte
+        return true;
+    } catch (const nlohmann::json::type_error&) {
+        return false;
+    }
+}
+
+std::string shortest(double value) {
+    assert(std::isfinite(value));
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    return {digits.data(), end.ptr};
+}
+
+}  // namespace obscura::analysis

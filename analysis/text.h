@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace obscura::analysis {
+
+/// Whether the bytes are well-formed UTF-8 (RFC 3629).
+[[nodiscard]] bool is_utf8(std::string_view text);
+
+/// The shortest decimal text that reads back as the same double; `inf` and `nan` have none and are
+/// a programming error.
+[[nodiscard]] std::string shortest(double value);
+
+}  // namespace obscura::analysis

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "analysis/counts_file.h"
+#include "analysis/report/analysis.h"
+#include "analysis/store/store.h"
+#include "analysis/tally.h"
+#include "app/commands/list.h"
+#include "renderer/base/files.h"
+
+namespace obscura::app {
+namespace {
+
+struct Options {
+    std::string db;  ///< empty: the data folder's
+    std::string counts;
+    std::string study;
+    std::string kind = "participant";
+    bool json = false;
+    std::filesystem::path out;  ///< empty: nothing is written
+};
+
+analysis::Tally tally_of_store(const std::string& url, const Options& options) {
+    analysis::Store store(url, analysis::Store::Access::kReadOnly);
+    const auto kind = analysis::kind_from(options.kind);
+    return analysis::tally_trials(url, store.sessions(), store.trials(), options.study, *kind);
+}
+
+base::ExitCode analyze(const Options& options, const Globals& globals) {
+    if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
+    const analysis::Tally tally =
+        options.counts.empty()
+            ? tally_of_store(options.db.empty() ? globals.store_url() : options.db, options)
+            : analysis::read_counts(options.counts);
+    const analysis::Analysis result = analysis::analyse(tally);
+    const std::string text = analysis::text_report(result);
+    const std::string json = analysis::json_report(result);
+    if (!options.out.empty()) {
+        base::write_file_atomically(options.out / "analysis.txt", text);
+        base::write_file_atomically(options.out / "analysis.json", json);
+    }
+    fmt::print("{}", options.json ? json : text);
+    return base::ExitCode::kDone;
+}
+
+std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
+    auto options = std::make_shared<Options>();
+    auto* db = app.add_option("--db", options->db,
+                              "Response store, sqlite3://FILE or postgresql://... "
+                              "[sqlite3://DATA/responses.sqlite]");
+    auto* counts = app.add_option(
+        "--counts", options->counts,
+        "Votes from a CSV file: condition,hypothesis,validity,variant_a,variant_b,count_a,count_b");
+    auto* study =
+        app.add_option("--study", options->study, "Study to analyse, where the store has several");
+    auto* kind = app.add_option("--kind", options->kind, "Whose answers: participant or simulated")
+                     ->check(CLI::IsMember({"participant", "simulated"}))
+                     ->capture_default_str();
+    counts->excludes(db)->excludes(study)->excludes(kind);
+    app.add_flag("--json", options->json, "Print JSON instead of a table");
+    app.add_option("--out", options->out, "Folder for analysis.txt and analysis.json");
+    return [options, &globals] { return analyze(*options, globals); };
+}
+
+}  // namespace
+
+Command analyze_command() {
+    return {"analyze", "Test the answers: is one image preferred, and where?", attach};
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/list.h"
+
+#include <memory>
+
+#include "app/kiosk/kiosk.h"
+#include "stimuli/manifest.h"
+#include "stimuli/study.h"
+
+namespace obscura::app {
+namespace {
+
+struct Options {
+    std::string study = "jakobsen2010";
+    std::string store_url;
+    int monitor = 0;
+    bool windowed = false;
+};
+
+base::ExitCode run(const Options& options, const Globals& globals) {
+    const stimuli::Study study = stimuli::load_study(options.study);
+    kiosk::KioskOptions kiosk_options;
+    kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
+    kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
+    kiosk_options.monitor = options.monitor;
+    kiosk_options.windowed = options.windowed;
+    kiosk::run_kiosk(study, kiosk_options);
+    return base::ExitCode::kDone;
+}
+
+std::function<base::ExitCode()> attach(CLI::App& command, const Globals& globals) {
+    auto options = std::make_shared<Options>();
+    command.add_option("study", options->study, "Study file, or name of a built-in study")
+        ->type_name("STUDY")
+        ->capture_default_str();
+    command
+        .add_option("--db", options->store_url,
+                    "Response store: sqlite3://FILE or postgresql://... (default: "
+                    "responses.sqlite in the data folder)")
+        ->type_name("URL");
+    command.add_option("--monitor", options->monitor, "Monitor to fill, from 0")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
+    command.footer("The operator leaves with Ctrl+Shift+Q.");
+    return [options, &globals] { return run(*options, globals); };
+}
+
+}  // namespace
+
+Command run_command() { return {"run", "The kiosk: runs participants through a study", &attach}; }
+
+}  // namespace obscura::app

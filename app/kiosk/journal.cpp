@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/journal.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+namespace obscura::app::kiosk {
+namespace {
+
+struct Describe {
+    std::string operator()(const BeginSession& row) const {
+        return fmt::format("the beginning of session {}", row.session.session_id);
+    }
+    std::string operator()(const analysis::TrialRecord& row) const {
+        return fmt::format(
+            "the answer to pair {} of session {}: condition {}, {} shown first, {} chosen, "
+            "response time {:.3f} s, views {:.0f} and {:.0f} ms, grey {:.1f} ms, {}",
+            row.trial_index + 1, row.session_id, row.condition, row.first_shown,
+            row.is_A_selected ? 'A' : 'B', row.response_time_s, row.first_view_ms,
+            row.second_view_ms, row.grey_ms_measured, row.answered_utc);
+    }
+    std::string operator()(const CompleteSession& row) const {
+        return fmt::format("the end of session {}", row.session_id);
+    }
+    std::string operator()(const analysis::EventRecord& row) const {
+        return fmt::format("the event \"{}\"", row.name);
+    }
+};
+
+}  // namespace
+
+void Journal::add(std::vector<Row> rows) {
+    for (Row& row : rows) waiting_.push_back(std::move(row));
+}
+
+std::optional<std::string> Journal::flush() {
+    while (!waiting_.empty()) {
+        try {
+            commit_(waiting_.front());
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+        waiting_.pop_front();
+    }
+    return std::nullopt;
+}
+
+std::string describe(const Row& row) { return std::visit(Describe{}, row); }
+
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "stimuli/study.h"
+
+namespace obscura::app::kiosk {
+
+struct KioskOptions {
+    std::filesystem::path folder;  ///< of the study's images and manifest
+    std::string store_url;
+    int monitor = 0;
+    bool windowed = false;
+};
+
+/// Runs participants through the study until the operator leaves.
+/// Before a window opens for anyone, throws bad input when an image is missing or is not that of
+/// the manifest, when the monitor is smaller than the images, or when the store cannot be used;
+/// failure when there is no display. Sessions that were cut off come first: the operator continues
+/// or closes each.
+void run_kiosk(const stimuli::Study& study, const KioskOptions& options);
+
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/procedure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "renderer/base/error.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+constexpr double kMillisecondsPerSecond = 1000.0;
+
+template <typename T>
+[[nodiscard]] bool is(const Event& event) {
+    return std::holds_alternative<T>(event);
+}
+
+}  // namespace
+
+FormProblems problems_of(const Form& form) {
+    FormProblems problems;
+    if (!form.age_years || *form.age_years < kYoungest_years || *form.age_years > kOldest_years) {
+        problems.age =
+            fmt::format("Please give your age, from {} to {}.", kYoungest_years, kOldest_years);
+    }
+    if (!form.consent) problems.consent = "Taking part needs your consent.";
+    return problems;
+}
+
+Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)
+    : study_(&study), plan_(std::move(plan)), latest_s_(-std::numeric_limits<double>::infinity()) {}
+
+const StimulusImage& Procedure::image(int pair, int position) const {
+    const auto condition = static_cast<std::size_t>(plan_.order.conditions.at(pair));
+    const std::size_t side = (position == 0) == plan_.order.swapped ? 1 : 0;
+    return plan_.images.at(condition).at(side);
+}
+
+std::optional<double> Procedure::second_image_due_s() const {
+    if (screen_ != Screen::kGrey || !visible_) return std::nullopt;
+    return trial_.grey_onset_s + study_->grey_ms / kMillisecondsPerSecond;
+}
+
+void Procedure::show(Screen screen) {
+    screen_ = screen;
+    visible_ = false;
+    first_time_ = true;
+    seen_before_s_ = 0.0;
+    ++request_;
+}
+
+std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
+    if (screen_ == Screen::kDone || screen_ == Screen::kLeft) return {};
+    if (!(now.time_s >= latest_s_)) return {};
+    if (const auto* shown = std::get_if<ScreenPresented>(&event)) {
+        if (!visible_) {
+            latest_s_ = now.time_s;
+            presented(*shown, now.time_s);
+        }
+        return {};
+    }
+    if (!visible_) return {};
+    latest_s_ = now.time_s;
+    if (screen_ == Screen::kConfirmLeave) {
+        if (is<LeaveConfirmed>(event)) return decide_leave(true, now);
+        if (is<LeaveCancelled>(event)) return decide_leave(false, now);
+        return {};
+    }
+    if (is<LeaveRequested>(event)) return request_leave(now);
+    return participant_did(event, now);
+}
+
+void Procedure::presented(const ScreenPresented& event, double time_s) {
+    visible_ = true;
+    since_s_ = time_s;
+    // Grey that the operator's question interrupted starts anew; other screens keep their onset.
+    if (screen_ == Screen::kGrey) trial_.grey_onset_s = time_s;
+    if (first_time_) {
+        if (screen_ == Screen::kFirstImage) trial_.first_onset_s = time_s;
+        if (screen_ == Screen::kSecondImage) trial_.second_onset_s = time_s;
+        if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
+    }
+    if (screen_ != Screen::kConfirmLeave) {
+        first_time_ = false;
+        trial_.dropped_frames += event.dropped_frames;
+    }
+}
+
+std::vector<Row> Procedure::participant_did(const Event& event, const Moment& now) {
+    switch (screen_) {
+        case Screen::kStart:
+            if (is<StartPressed>(event)) show(Screen::kForm);
+            break;
+        case Screen::kForm:
+            if (const auto* submitted = std::get_if<FormSubmitted>(&event)) {
+                if (problems_of(submitted->form).none()) return begin(submitted->form, now);
+            }
+            break;
+        case Screen::kInstructions:
+            if (is<InstructionsRead>(event)) {
+                show(Screen::kPairs);
+                return {event_record("instructions read", "", now)};
+            }
+            break;
+        case Screen::kPairs:
+            if (const auto* pressed = std::get_if<PairPressed>(&event)) {
+                if (pressed->pair == pair_) {
+                    trial_ = {};
+                    show(Screen::kFirstImage);
+                }
+            }
+            break;
+        case Screen::kFirstImage:
+            if (is<SpacePressed>(event)) {
+                trial_.first_view_s = seen_s(now.time_s);
+                show(Screen::kGrey);
+            }
+            break;
+        case Screen::kGrey:
+            if (const auto* tick = std::get_if<Tick>(&event)) {
+                if (tick->expected_onset_s >= *second_image_due_s()) show(Screen::kSecondImage);
+            }
+            break;
+        case Screen::kSecondImage:
+            if (is<SpacePressed>(event)) {
+                trial_.second_view_s = seen_s(now.time_s);
+                show(Screen::kQuestion);
+            }
+            break;
+        case Screen::kQuestion:
+            if (const auto* answered = std::get_if<Answered>(&event)) {
+                return answer(answered->first, now);
+            }
+            break;
+        case Screen::kThanks:
+            if (is<NextParticipant>(event)) show(Screen::kDone);
+            break;
+        case Screen::kConfirmLeave:
+        case Screen::kDone:
+        case Screen::kLeft:
+            break;
+    }
+    return {};
+}
+
+std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
+    began_ = true;
+    began_s_ = now.time_s;
+    BeginSession rows;
+    rows.participant = {.participant_id = plan_.participant_id,
+                        .kind = plan_.kind,
+                        .age_years = form.age_years,
+                        .gender = form.gender,
+                        .normal_vision = form.normal_vision,
+                        .naive = form.naive,
+                        .consent = form.consent,
+                        .created_utc = now.utc};
+    rows.session = {.session_id = plan_.session_id,
+                    .participant_id = plan_.participant_id,
+                    .kind = plan_.kind,
+                    .study = study_->name,
+                    .study_sha256 = study_->sha256,
+                    .order = std::string(stimuli::to_string(study_->order)),
+                    .seed = study_->seed,
+                    .slot = plan_.order.slot,
+                    .latin_square = plan_.order.latin_square,
+                    .latin_row = plan_.order.latin_row,
+                    .swapped = plan_.order.swapped,
+                    .condition_count = pair_count(),
+                    .state = analysis::SessionState::kOpen,
+                    .started_utc = now.utc,
+                    .ended_utc = "",
+                    .software = plan_.machine.software,
+                    .operating_system = plan_.machine.operating_system,
+                    .gpu_renderer = plan_.machine.gpu_renderer,
+                    .display = plan_.machine.display,
+                    .refresh_hz = plan_.machine.refresh_hz};
+    show(Screen::kInstructions);
+    return {std::move(rows), event_record(kStimuliEvent, digest_of(plan_.images), now)};
+}
+
+std::vector<Row> Procedure::answer(bool first, const Moment& now) {
+    std::vector<Row> rows{trial_record(first, now)};
+    ++pair_;
+    if (pair_ < pair_count()) {
+        show(Screen::kPairs);
+    } else {
+        show(Screen::kThanks);
+        rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
+    }
+    return rows;
+}
+
+analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) const {
+    const auto index = static_cast<std::size_t>(plan_.order.conditions.at(pair_));
+    const stimuli::Condition& condition = study_->conditions.at(index);
+    const stimuli::StudyScene& scene = study_->scene_of(condition);
+    const bool a_first = !plan_.order.swapped;
+    analysis::TrialRecord row;
+    row.session_id = plan_.session_id;
+    row.kind = plan_.kind;
+    row.trial_index = pair_;
+    row.condition = condition.id;
+    row.hypothesis = condition.hypothesis;
+    row.scene = scene.id;
+    row.validity = std::string(stimuli::to_string(scene.validity));
+    row.condition_A = condition.a.variant_name();
+    row.condition_B = condition.b.variant_name();
+    row.first_shown = a_first ? 'A' : 'B';
+    row.response_first = first;
+    row.is_A_selected = first == a_first;
+    row.response_time_s = seen_s(now.time_s);
+    row.first_onset_s = trial_.first_onset_s - began_s_;
+    row.second_onset_s = trial_.second_onset_s - began_s_;
+    row.question_onset_s = trial_.question_onset_s - began_s_;
+    row.first_view_ms = trial_.first_view_s * kMillisecondsPerSecond;
+    row.second_view_ms = trial_.second_view_s * kMillisecondsPerSecond;
+    row.grey_ms_measured = (trial_.second_onset_s - trial_.grey_onset_s) * kMillisecondsPerSecond;
+    row.dropped_frames = trial_.dropped_frames;
+    row.first_sha256 = image(pair_, 0).sha256;
+    row.second_sha256 = image(pair_, 1).sha256;
+    row.answered_utc = now.utc;
+    return row;
+}
+
+std::vector<Row> Procedure::request_leave(const Moment& now) {
+    const double seen_before_s = seen_s(now.time_s);
+    covered_ = screen_;
+    show(Screen::kConfirmLeave);
+    seen_before_s_ = seen_before_s;
+    return {event_record("operator asked to leave", "", now)};
+}
+
+std::vector<Row> Procedure::decide_leave(bool leave, const Moment& now) {
+    const double seen_before_s = seen_before_s_;
+    show(leave ? Screen::kLeft : covered_);
+    seen_before_s_ = seen_before_s;
+    first_time_ = false;
+    return {event_record(leave ? "operator left" : "operator stayed", "", now)};
+}
+
+analysis::EventRecord Procedure::event_record(std::string name, std::string detail,
+                                              const Moment& now) const {
+    return {.session_id = began_ ? plan_.session_id : "",
+            .time_utc = now.utc,
+            .name = std::move(name),
+            .detail = std::move(detail)};
+}
+
+std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& answered,
+                                   double elapsed_s, const Moment& now) {
+    if (static_cast<int>(answered.size()) > pair_count()) {
+        throw base::bad_input("session {} has {} answers, the study has {} pairs", plan_.session_id,
+                              answered.size(), pair_count());
+    }
+    for (std::size_t i = 0; i < answered.size(); ++i) {
+        const auto index = static_cast<std::size_t>(plan_.order.conditions.at(i));
+        const std::string& expected = study_->conditions.at(index).id;
+        if (answered[i].trial_index != static_cast<int>(i) || answered[i].condition != expected) {
+            throw base::bad_input(
+                "session {} cannot be continued: its answer {} is of condition {} at place {}, the "
+                "order has condition {} there",
+                plan_.session_id, i + 1, answered[i].condition, answered[i].trial_index + 1,
+                expected);
+        }
+    }
+    began_ = true;
+    began_s_ = now.time_s - elapsed_s;
+    latest_s_ = now.time_s;
+    pair_ = static_cast<int>(answered.size());
+    const std::string detail = fmt::format(
+        "at pair {} of {}, on {}; {}; {}", std::min(pair_ + 1, pair_count()), pair_count(),
+        plan_.machine.software, plan_.machine.gpu_renderer, plan_.machine.display);
+    std::vector<Row> rows{event_record("session resumed", detail, now)};
+    if (pair_ == pair_count()) {
+        rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
+        show(Screen::kThanks);
+    } else {
+        show(Screen::kPairs);
+    }
+    return rows;
+}
+
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/store/records.h"
+#include "app/kiosk/session_plan.h"
+#include "stimuli/study.h"
+
+namespace obscura::app::kiosk {
+
+/// What is to be on the screen.
+enum class Screen {
+    kStart,         ///< waits for a participant
+    kForm,          ///< who takes part
+    kInstructions,  ///< the study's text
+    kPairs,         ///< one button for each pair, of which only the next is enabled
+    kFirstImage,
+    kGrey,  ///< the interval between the two images, which nothing shortens
+    kSecondImage,
+    kQuestion,      ///< which of the two?
+    kThanks,        ///< the session is complete
+    kConfirmLeave,  ///< the operator asked to leave
+    kDone,          ///< the participant is done: the next one gets a new Procedure
+    kLeft,          ///< the operator left: the program ends
+};
+
+/// What the participant filled in.
+struct Form {
+    std::optional<int> age_years;
+    std::string gender;  ///< free text; empty: not said
+    std::optional<bool> normal_vision;
+    std::optional<bool> naive;
+    bool consent = false;
+};
+inline constexpr int kYoungest_years = 1;
+inline constexpr int kOldest_years = 120;
+
+/// What keeps the form from being accepted, a sentence for the participant; empty when all is well.
+/// Consent and an age from 1 to 120 are needed; the other questions may stay unanswered.
+struct FormProblems {
+    std::string age;
+    std::string consent;
+    [[nodiscard]] bool none() const { return age.empty() && consent.empty(); }
+};
+[[nodiscard]] FormProblems problems_of(const Form& form);
+
+// What can happen. An event that the screen has no use for is ignored.
+struct StartPressed {};
+struct FormSubmitted {
+    Form form;
+};
+struct InstructionsRead {};
+struct PairPressed {
+    int pair = 0;  ///< from 0, in order of showing
+};
+struct SpacePressed {};
+struct Answered {
+    bool first = false;  ///< the image shown first was chosen
+};
+struct NextParticipant {};
+/// The first frame of the screen asked for last is visible.
+struct ScreenPresented {
+    int dropped_frames = 0;  ///< whole refresh periods by which it came too late
+};
+/// Time passes. A screen asked for now would be visible at `expected_onset_s`.
+struct Tick {
+    double expected_onset_s = 0.0;
+};
+struct LeaveRequested {};
+struct LeaveConfirmed {};
+struct LeaveCancelled {};
+using Event = std::variant<StartPressed, FormSubmitted, InstructionsRead, PairPressed, SpacePressed,
+                           Answered, NextParticipant, ScreenPresented, Tick, LeaveRequested,
+                           LeaveConfirmed, LeaveCancelled>;
+
+/// When an event happened.
+struct Moment {
+    double time_s = 0.0;  ///< one monotonic clock
+    std::string utc;      ///< ISO 8601 with Z
+};
+
+// What must be on the disk before the next screen is shown.
+struct BeginSession {
+    analysis::ParticipantRecord participant;
+    analysis::SessionRecord session;
+};
+struct CompleteSession {
+    std::string session_id;
+    std::string ended_utc;
+};
+using Row =
+    std::variant<BeginSession, analysis::TrialRecord, CompleteSession, analysis::EventRecord>;
+
+/// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D: form,
+/// instructions, and for each pair its button, the first image until space, the grey interval, the
+/// second image until space, the question. There is no way back to an image.
+///
+/// It knows no window, clock or database. Events go in; out come the rows to commit, and then the
+/// screen to show. Nothing a participant does counts before the screen is visible
+/// (ScreenPresented), and no event counts that is stamped earlier than one already taken; so no
+/// time in a row is ever negative. Time that the operator's question covers a screen is no viewing
+/// or response time; a grey interval it interrupts starts anew.
+class Procedure {
+  public:
+    /// A new participant. `study` must outlive the procedure.
+    Procedure(const stimuli::Study& study, SessionPlan plan);
+
+    /// Takes an event and gives the rows to commit, in this order, before screen() is shown.
+    [[nodiscard]] std::vector<Row> step(const Event& event, const Moment& now);
+
+    /// Continues a session that was cut off, at the first pair without an answer; gives its rows.
+    /// `answered` holds its trials so far, from index 0 without a gap; `elapsed_s` is the time
+    /// since the session began. Throws bad input when the trials are not those of the plan.
+    [[nodiscard]] std::vector<Row> resume(const std::vector<analysis::TrialRecord>& answered,
+                                          double elapsed_s, const Moment& now);
+
+    [[nodiscard]] Screen screen() const { return screen_; }
+    /// Grows by one whenever screen() is to be shown (again): ScreenPresented is due.
+    [[nodiscard]] int request() const { return request_; }
+    /// The pair that is next or being shown, from 0; pair_count() after the last.
+    [[nodiscard]] int pair() const { return pair_; }
+    [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
+    /// Whether the session has begun and is not complete.
+    [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
+    /// The image of that pair shown first (position 0) or second (position 1).
+    [[nodiscard]] const StimulusImage& image(int pair, int position) const;
+    /// While the grey interval is visible: when the second image is due to be visible.
+    [[nodiscard]] std::optional<double> second_image_due_s() const;
+    [[nodiscard]] const SessionPlan& plan() const { return plan_; }
+
+  private:
+    /// What is known of the trial under way.
+    struct Trial {
+        double first_onset_s = 0.0;
+        double grey_onset_s = 0.0;
+        double second_onset_s = 0.0;
+        double question_onset_s = 0.0;
+        double first_view_s = 0.0;
+        double second_view_s = 0.0;
+        int dropped_frames = 0;
+    };
+
+    void show(Screen screen);
+    void presented(const ScreenPresented& event, double time_s);
+    std::vector<Row> participant_did(const Event& event, const Moment& now);
+    std::vector<Row> begin(const Form& form, const Moment& now);
+    std::vector<Row> answer(bool first, const Moment& now);
+    std::vector<Row> request_leave(const Moment& now);
+    std::vector<Row> decide_leave(bool leave, const Moment& now);
+    [[nodiscard]] analysis::TrialRecord trial_record(bool first, const Moment& now) const;
+    [[nodiscard]] analysis::EventRecord event_record(std::string name, std::string detail,
+                                                     const Moment& now) const;
+    /// How long the participant has seen the screen, without what the operator's question covered.
+    [[nodiscard]] double seen_s(double time_s) const { return seen_before_s_ + time_s - since_s_; }
+
+    const stimuli::Study* study_;
+    SessionPlan plan_;
+    Screen screen_ = Screen::kStart;
+    Screen covered_ = Screen::kStart;  ///< what the operator's question covers
+    int request_ = 1;
+    bool visible_ = false;
+    bool first_time_ = true;  ///< this screen has not been visible before
+    double since_s_ = 0.0;    ///< visible without a break since then
+    double seen_before_s_ = 0.0;
+    double latest_s_;  ///< of all events taken
+    bool began_ = false;
+    double began_s_ = 0.0;
+    int pair_ = 0;
+    Trial trial_;
+};
+
+}  // namespace obscura::app::kiosk

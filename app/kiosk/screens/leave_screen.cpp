@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <imgui.h>
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/widgets.h"
+
+namespace obscura::app::kiosk {
+
+std::optional<Event> leave_screen(const Fonts& fonts, bool session_open) {
+    std::optional<Event> event;
+    card("##leave", 32.0F, [&] {
+        heading(fonts, "Leave the kiosk?");
+        paragraph(session_open
+                      ? "A session is under way. It stays open: at the next start it can be "
+                        "continued at the first pair without an answer."
+                      : "No session is under way.");
+        gap();
+        const float space = ImGui::GetFontSize();
+        const float width = (ImGui::GetContentRegionAvail().x - space) * 0.5F;
+        if (wide_button("Leave", width, 2.1F, false)) event = LeaveConfirmed{};
+        ImGui::SameLine(0.0F, space);
+        if (wide_button("Stay", width, 2.1F, true)) event = LeaveCancelled{};
+        if (enter_pressed() || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+            event = LeaveCancelled{};
+        }
+        if (ImGui::IsKeyPressed(GLFW_KEY_L, false)) event = LeaveConfirmed{};
+        gap(0.2F);
+        hint(fonts, "Keys: L leaves, Enter stays.");
+    });
+    return event;
+}
+
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/kiosk/fonts.h"
+#include "app/kiosk/procedure.h"
+#include "stimuli/study.h"
+
+namespace obscura::app::kiosk {
+
+// One page a file. Each draws itself with Dear ImGui and gives back what was pressed, if anything.
+
+[[nodiscard]] std::optional<Event> start_screen(const Fonts& fonts);
+
+enum class Gender { kUnanswered, kFemale, kMale, kOwnWords, kRatherNotSay };
+
+/// The form as it is being filled in.
+struct FormDraft {
+    std::string age;
+    Gender gender = Gender::kUnanswered;
+    std::string own_words;
+    std::optional<bool> normal_vision;
+    std::optional<bool> heard_of_purpose;
+    bool consent = false;
+    bool submitted = false;  ///< once; from then on complaints are shown
+    bool focus_age = true;   ///< the keyboard is to write the age
+};
+[[nodiscard]] Form form_of(const FormDraft& draft);
+[[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft);
+
+[[nodiscard]] std::optional<Event> instructions_screen(const Fonts& fonts,
+                                                       const stimuli::Study& study);
+
+/// `next` is the pair whose button is enabled, from 0.
+[[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count);
+
+[[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
+                                                   int pair, int count);
+
+[[nodiscard]] std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study);
+
+[[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
+
+/// A session that was cut off, as the operator is asked about it.
+struct CutOffSession {
+    std::string session_id;
+    std::string started_utc;
+    int answered = 0;
+    int count = 0;
+    std::string refusal;  ///< why it cannot be continued; empty when it can
+};
+enum class CutOffChoice { kContinue, kAbandon };
+[[nodiscard]] std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts,
+                                                         const CutOffSession& session);
+
+/// Something could not be saved or read while a participant was at it.
+struct Trouble {
+    std::string title;
+    std::string reason;
+    std::string consequence;  ///< what leaving means
+};
+enum class TroubleChoice { kRetry, kLeave };
+[[nodiscard]] std::optional<TroubleChoice> trouble_screen(const Fonts& fonts,
+                                                          const Trouble& trouble);
+
+/// Every fixed text of the pages that is not plain ASCII, for the fonts.
+[[nodiscard]] std::vector<std::string> fixed_texts();
+
+}  // namespace obscura::app::kiosk

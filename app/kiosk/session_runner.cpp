@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/session_runner.h"
+
+#include <epoxy/gl.h>
+// After epoxy, which brings the OpenGL declarations.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "app/kiosk/clock.h"
+#include "renderer/base/error.h"
+#include "renderer/base/log.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+/// The second image is drawn, unseen, this long before it is due.
+constexpr double kPrepare_s = 0.030;
+constexpr double kImageWait_s = 0.5;
+
+[[nodiscard]] bool is_still(Screen screen) {
+    return screen == Screen::kFirstImage || screen == Screen::kGrey ||
+           screen == Screen::kSecondImage;
+}
+
+/// What a key means on that screen, beside what Dear ImGui makes of it.
+[[nodiscard]] std::optional<Event> meaning_of(const KeyPress& press, Screen screen) {
+    if (is_operators_key(press)) return LeaveRequested{};
+    if (is_still(screen)) {
+        if (press.key == GLFW_KEY_SPACE) return SpacePressed{};
+        return std::nullopt;
+    }
+    if (screen != Screen::kQuestion) return std::nullopt;
+    switch (press.key) {
+        case GLFW_KEY_1:
+        case GLFW_KEY_KP_1:
+        case GLFW_KEY_LEFT:
+            return Answered{true};
+        case GLFW_KEY_2:
+        case GLFW_KEY_KP_2:
+        case GLFW_KEY_RIGHT:
+            return Answered{false};
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+SessionRunner::End SessionRunner::run() {
+    asked_s_ = monotonic_s();
+    while (true) {
+        if (!save()) return End::kLeft;
+        if (procedure_.screen() == Screen::kDone) return End::kDone;
+        if (procedure_.screen() == Screen::kLeft) return End::kLeft;
+        if (procedure_.request() != presented_) {
+            show_first_frame();
+            if (procedure_.screen() == Screen::kPairs && !load_pair()) return End::kLeft;
+        } else {
+            go_on();
+        }
+    }
+}
+
+bool SessionRunner::save() {
+    while (const std::optional<std::string> reason = journal_.flush()) {
+        spdlog::error("cannot save {}: {}", describe(journal_.waiting().front()), *reason);
+        const Trouble trouble{
+            "This could not be saved", *reason,
+            fmt::format("It is {}. Everything before it is saved. Make room or mend the store, "
+                        "then try again. Who leaves now gives it up: it is then written to the "
+                        "terminal only, and the session can be continued at that pair.",
+                        describe(journal_.waiting().front()))};
+        if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
+            for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
+            return false;
+        }
+        presented_ = 0;  // the trouble stood over the screen
+    }
+    return true;
+}
+
+bool SessionRunner::load_pair() {
+    const int pair = procedure_.pair();
+    const Extent extent{stage_.study.width, stage_.study.height};
+    const auto load = [&](int position) {
+        return std::make_unique<StimulusTexture>(
+            load_stimulus(stage_.folder, procedure_.image(pair, position), extent));
+    };
+    while (!loaded_ || loaded_->pair != pair) {
+        try {
+            loaded_.reset();
+            loaded_ = LoadedPair{pair, load(0), load(1)};
+        } catch (const base::Error& error) {
+            spdlog::error("{}", error.what());
+            const Trouble trouble{"An image cannot be shown", error.what(),
+                                  "Every answer so far is saved. The session stays open and can "
+                                  "be continued at this pair."};
+            if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) return false;
+            idle_frames_ = 0;
+        }
+    }
+    return true;
+}
+
+void SessionRunner::show_first_frame() {
+    if (is_still(procedure_.screen())) {
+        stage_.window.hide_pointer();
+        draw_still();
+    } else {
+        draw_first_frame(stage_.ui, [this] { draw_page(); });
+        form_.focus_age = true;  // the first frame's input is forgotten, its focus too
+    }
+    finish_presenting(asked_s_);
+}
+
+void SessionRunner::finish_presenting(double asked_s) {
+    const double onset_s = stage_.window.present();
+    // What was pressed before the screen was visible does not count.
+    stage_.window.poll_events();
+    (void)stage_.window.take_keys();
+    (void)stage_.window.take_damage();
+    pressed_.reset();
+    idle_frames_ = 0;
+    presented_ = procedure_.request();
+    feed(ScreenPresented{dropped_frames(stage_.pace, asked_s, onset_s)}, moment_at(onset_s));
+}
+
+void SessionRunner::go_on() {
+    if (procedure_.screen() == Screen::kGrey) {
+        go_on_with_grey();
+    } else if (is_still(procedure_.screen())) {
+        go_on_with_image();
+    } else {
+        go_on_with_page();
+    }
+}
+
+void SessionRunner::go_on_with_page() {
+    const double before_s = monotonic_s();
+    pressed_.reset();
+    draw_next_frame(
+        stage_, [this] { draw_page(); }, idle_frames_);
+    forward_keys();
+    if (!pressed_) return;
+    const double click_s = stage_.window.last_click_s();
+    feed(*pressed_, click_s >= before_s ? moment_at(click_s) : moment_now());
+}
+
+void SessionRunner::go_on_with_image() {
+    stage_.window.wait_for_events(kImageWait_s);
+    forward_keys();
+    if (procedure_.request() == presented_ && stage_.window.take_damage()) {
+        draw_still();
+        stage_.window.present();
+    }
+}
+
+void SessionRunner::go_on_with_grey() {
+    const double due_s = *procedure_.second_image_due_s();
+    const double hand_over_s = due_s - stage_.pace.lead_s();
+    const double left_s = hand_over_s - kPrepare_s - monotonic_s();
+    if (left_s > 0.0) {
+        stage_.window.wait_for_events(left_s);
+        forward_keys();
+        if (procedure_.request() == presented_ && stage_.window.take_damage()) {
+            draw_still();
+            stage_.window.present();
+        }
+        return;
+    }
+    loaded_->second->draw(stage_.window.size(), stage_.study.grey_level);
+    glFinish();
+    wait_until(hand_over_s);
+    feed(Tick{std::max(due_s, monotonic_s() + stage_.pace.lead_s())}, moment_now());
+    finish_presenting(due_s);
+}
+
+void SessionRunner::draw_still() {
+    const Extent frame = stage_.window.size();
+    const int grey = stage_.study.grey_level;
+    if (procedure_.screen() == Screen::kGrey) {
+        draw_grey(frame, grey);
+    } else if (procedure_.screen() == Screen::kFirstImage) {
+        loaded_->first->draw(frame, grey);
+    } else {
+        loaded_->second->draw(frame, grey);
+    }
+}
+
+void SessionRunner::draw_page() {
+    const Fonts& fonts = stage_.ui.fonts();
+    const int pair = procedure_.pair();
+    const int count = procedure_.pair_count();
+    std::optional<Event> pressed;
+    switch (procedure_.screen()) {
+        case Screen::kStart:
+            pressed = start_screen(fonts);
+            break;
+        case Screen::kForm:
+            pressed = form_screen(fonts, form_);
+            break;
+        case Screen::kInstructions:
+            pressed = instructions_screen(fonts, stage_.study);
+            break;
+        case Screen::kPairs:
+            pressed = pairs_screen(fonts, pair, count);
+            break;
+        case Screen::kQuestion:
+            pressed = question_screen(fonts, stage_.study, pair, count);
+            break;
+        case Screen::kThanks:
+            pressed = thanks_screen(fonts, stage_.study);
+            break;
+        case Screen::kConfirmLeave:
+            pressed = leave_screen(fonts, procedure_.session_open());
+            break;
+        case Screen::kFirstImage:
+        case Screen::kGrey:
+        case Screen::kSecondImage:
+        case Screen::kDone:
+        case Screen::kLeft:
+            break;
+    }
+    if (pressed) pressed_ = std::move(pressed);
+}
+
+void SessionRunner::forward_keys() {
+    for (const KeyPress& press : stage_.window.take_keys()) {
+        if (const auto event = meaning_of(press, procedure_.screen())) {
+            feed(*event, moment_at(press.time_s));
+        }
+    }
+}
+
+void SessionRunner::feed(const Event& event, const Moment& moment) {
+    const int before = procedure_.request();
+    journal_.add(procedure_.step(event, moment));
+    if (procedure_.request() != before) asked_s_ = moment.time_s;
+}
+
+}  // namespace obscura::app::kiosk

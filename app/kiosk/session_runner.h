@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/kiosk/journal.h"
+#include "app/kiosk/procedure.h"
+#include "app/kiosk/stage.h"
+#include "app/kiosk/stimulus_view.h"
+
+namespace obscura::app::kiosk {
+
+/// Plays one procedure on the stage: shows its screens, forwards what happens to it, and has its
+/// rows committed before the next screen.
+class SessionRunner {
+  public:
+    enum class End { kDone, kLeft };
+
+    /// All must outlive it.
+    SessionRunner(Stage& stage, Procedure& procedure, Journal& journal)
+        : stage_(stage), procedure_(procedure), journal_(journal) {}
+
+    /// Returns when the participant is done or the operator left.
+    [[nodiscard]] End run();
+
+  private:
+    /// Both images of a pair, on the GPU.
+    struct LoadedPair {
+        int pair = 0;
+        std::unique_ptr<StimulusTexture> first;
+        std::unique_ptr<StimulusTexture> second;
+    };
+
+    /// False: the operator left with rows that could not be saved, which were written to the log.
+    [[nodiscard]] bool save();
+    /// False: an image could not be read and the operator left.
+    [[nodiscard]] bool load_pair();
+    void show_first_frame();
+    void finish_presenting(double asked_s);
+    void go_on();
+    void go_on_with_page();
+    void go_on_with_image();
+    void go_on_with_grey();
+    void draw_still();
+    /// The procedure's page; keeps what was pressed in `pressed_`.
+    void draw_page();
+    void forward_keys();
+    void feed(const Event& event, const Moment& moment);
+
+    Stage& stage_;
+    Procedure& procedure_;
+    Journal& journal_;
+    FormDraft form_;
+    std::optional<LoadedPair> loaded_;
+    std::optional<Event> pressed_;
+    int presented_ = 0;  ///< Procedure::request() of what is visible
+    int idle_frames_ = 0;
+    double asked_s_ = 0.0;  ///< when the screen was asked for
+};
+
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/stage.h"
+
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "app/kiosk/clock.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+/// A page follows input at once and for a few frames after it, then only a caret blinks.
+constexpr int kLivelyFrames = 4;
+constexpr double kLivelyWait_s = 1.0 / 60.0;
+constexpr double kIdleWait_s = 0.2;
+
+/// Draws `page` until it gives a choice; nothing: the operator's key.
+template <typename Choice>
+[[nodiscard]] std::optional<Choice> ask(Stage& stage,
+                                        const std::function<std::optional<Choice>()>& page) {
+    draw_first_frame(stage.ui, [&] { (void)page(); });
+    stage.window.present();
+    stage.window.poll_events();
+    (void)stage.window.take_keys();
+    std::optional<Choice> choice;
+    int idle_frames = 0;
+    while (!choice) {
+        draw_next_frame(
+            stage, [&] { choice = page(); }, idle_frames);
+        const auto keys = stage.window.take_keys();
+        if (!choice && std::any_of(keys.begin(), keys.end(), is_operators_key)) break;
+    }
+    return choice;
+}
+
+}  // namespace
+
+bool is_operators_key(const KeyPress& press) {
+    constexpr int kBoth = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
+    return press.key == GLFW_KEY_Q && (press.modifiers & kBoth) == kBoth;
+}
+
+void draw_first_frame(Ui& ui, const std::function<void()>& page) {
+    // A card's height is known when it has been drawn once, its scroll bar when twice.
+    for (int pass = 0; pass < 3; ++pass) ui.draw(page);
+    ui.forget_input();
+}
+
+void draw_next_frame(Stage& stage, const std::function<void()>& page, int& idle_frames) {
+    const double wait_s = idle_frames < kLivelyFrames ? kLivelyWait_s : kIdleWait_s;
+    const double before_s = monotonic_s();
+    stage.window.wait_for_events(wait_s);
+    const bool input = monotonic_s() - before_s < 0.9 * wait_s || stage.window.take_damage();
+    idle_frames = input ? 0 : idle_frames + 1;
+    stage.ui.draw(page);
+    stage.window.present();
+}
+
+TroubleChoice ask_about_trouble(Stage& stage, const Trouble& trouble) {
+    const auto choice =
+        ask<TroubleChoice>(stage, [&] { return trouble_screen(stage.ui.fonts(), trouble); });
+    return choice.value_or(TroubleChoice::kLeave);
+}
+
+std::optional<CutOffChoice> ask_about_cut_off(Stage& stage, const CutOffSession& session) {
+    return ask<CutOffChoice>(stage, [&] { return cut_off_screen(stage.ui.fonts(), session); });
+}
+
+}  // namespace obscura::app::kiosk

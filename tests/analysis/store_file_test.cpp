@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+//
+// What may go wrong with the place where the store lies: every case has a clear error and leaves
+// what was there as it was.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <functional>
+
+#include "analysis/store/database.h"
+#include "analysis/store/schema.h"
+#include "analysis/store/store.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "tests/analysis/records_for_test.h"
+#include "tests/analysis/temporary_folder.h"
+
+namespace obscura::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ExitCode;
+using testing::HasSubstr;
+
+class StoreFileTest : public testing::Test {
+  protected:
+    [[nodiscard]] std::string url() const { return "sqlite3://" + file.string(); }
+
+    void expect_refused(Store::Access access, const std::string& text) const {
+        try {
+            const Store store(url(), access);
+            ADD_FAILURE() << "opened; expected was: " << text;
+        } catch (const base::Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::kBadInput) << error.what();
+            EXPECT_THAT(error.what(), HasSubstr(text));
+            EXPECT_THAT(error.what(), HasSubstr(file.string()));
+        }
+    }
+
+    void expect_refused_and_unchanged(const std::string& text) const {
+        const std::string before = base::read_file(file);
+        expect_refused(Store::Access::kReadWrite, text);
+        expect_refused(Store::Access::kReadOnly, text);
+        EXPECT_EQ(base::read_file(file), before);
+        EXPECT_FALSE(fs::exists(file.string() + "-wal"));
+        EXPECT_FALSE(fs::exists(file.string() + "-journal"));
+    }
+
+    test::TemporaryFolder folder;
+    fs::path file = folder / "responses.sqlite";
+};
+
+TEST_F(StoreFileTest, AFileThatIsNoDatabaseIsRefusedAndUntouched) {
+    base::write_file_atomically(file, "condition,count_a,count_b\nI,18,18\n");
+    expect_refused_and_unchanged("no SQLite database");
+    base::write_file_atomically(file, "SQLite");
+    expect_refused_and_unchanged("no SQLite database");
+}
+
+TEST_F(StoreFileTest, ADatabaseHeaderWithoutADatabaseIsRefusedAndUntouched) {
+    base::write_file_atomically(file,
+                                std::string("SQLite format 3\0", 16) + std::string(4096, 'x'));
+    expect_refused_and_unchanged("no SQLite database");
+}
+
+TEST_F(StoreFileTest, ADatabaseOfAnotherProgramIsRefusedAndUntouched) {
+    { Database(url(), false).execute("CREATE TABLE bookmarks (address TEXT)"); }
+    expect_refused_and_unchanged("database of another program");
+}
+
+TEST_F(StoreFileTest, ANewerSchemaIsRefusedAndUntouched) {
+    { const Store store(url(), Store::Access::kReadWrite); }
+    { Database(url(), false).execute("UPDATE obscura_schema SET version = 99"); }
+    expect_refused_and_unchanged("has schema version 99, this program knows versions up to");
+}
+
+TEST_F(StoreFileTest, ADirectoryIsRefused) {
+    fs::create_directory(file);
+    expect_refused(Store::Access::kReadWrite, "it is a directory");
+    expect_refused(Store::Access::kReadOnly, "it is a directory");
+    EXPECT_TRUE(fs::is_empty(file));
+}
+
+TEST_F(StoreFileTest, ADeviceIsRefused) {
+    file = "/dev/null";
+    expect_refused(Store::Access::kReadWrite, "no regular file");
+}
+
+TEST_F(StoreFileTest, ReadingOnlyMakesNoStore) {
+    expect_refused(Store::Access::kReadOnly, "there is no such file");
+    EXPECT_FALSE(fs::exists(file));
+    base::write_file_atomically(file, "");
+    expect_refused(Store::Access::kReadOnly, "it is empty");
+    EXPECT_EQ(fs::file_size(file), 0U);
+}
+
+TEST_F(StoreFileTest, ReadingOnlyChangesNothing) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    const std::string before = base::read_file(file);
+    { EXPECT_EQ(Store(url(), Store::Access::kReadOnly).trials().size(), 7U); }
+    EXPECT_EQ(base::read_file(file), before);
+}
+
+TEST_F(StoreFileTest, OtherUrlsAreRefused) {
+    for (const std::string bad : {"", "responses.sqlite", "sqlite3://", "mysql://host/db"}) {
+        try {
+            const Store store(bad, Store::Access::kReadWrite);
+            ADD_FAILURE() << "opened " << bad;
+        } catch (const base::Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::kBadInput);
+            EXPECT_THAT(error.what(), HasSubstr("allowed are sqlite3://FILE and postgresql://"));
+        }
+    }
+}
+
+TEST_F(StoreFileTest, AServerThatIsNotThereIsBadInputAndItsPasswordStaysSecret) {
+    try {
+        const Store store("postgresql://reader:secret@127.0.0.1:1/none", Store::Access::kReadOnly);
+        ADD_FAILURE() << "opened";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::kBadInput) << error.what();
+        EXPECT_THAT(error.what(), testing::Not(HasSubstr("secret")));
+        EXPECT_THAT(error.what(), HasSubstr("127.0.0.1"));
+    }
+}
+
+/// Runs `work` in a child without the rights of root, which no read-only place can stop; gives
+/// whether it returned true.
+bool holds_for_an_ordinary_user(const std::function<bool()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        constexpr uid_t kNobody = 65534;
+        if (::geteuid() == 0 && (::setgid(kNobody) != 0 || ::setuid(kNobody) != 0)) ::_exit(2);
+        ::_exit(work() ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+bool is_refused(const std::string& url, const std::string& text) {
+    try {
+        const Store store(url, Store::Access::kReadWrite);
+    } catch (const base::Error& error) {
+        if (error.code() == ExitCode::kBadInput &&
+            std::string(error.what()).find(text) != std::string::npos) {
+            return true;
+        }
+        fmt::print(stderr, "{}\n", error.what());
+    }
+    return false;
+}
+
+TEST_F(StoreFileTest, AReadOnlyFolderOrFileIsRefusedForWritingAndUntouched) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    const std::string before = base::read_file(file);
+    fs::permissions(file, fs::perms::owner_read | fs::perms::others_read);
+    fs::permissions(folder.path(), fs::perms::all);
+    EXPECT_TRUE(holds_for_an_ordinary_user([&] { return is_refused(url(), "Permission denied"); }));
+    fs::permissions(file, fs::perms::all);
+    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec |
+                                       fs::perms::others_read | fs::perms::others_exec);
+    EXPECT_TRUE(holds_for_an_ordinary_user([&] { return is_refused(url(), "Permission denied"); }));
+    EXPECT_TRUE(holds_for_an_ordinary_user([&] {
+        return Store(url(), Store::Access::kReadOnly).trials().size() == 7;
+    })) << "reading needs no right to write";
+    fs::permissions(folder.path(), fs::perms::all);
+    EXPECT_EQ(base::read_file(file), before);
+}
+
+TEST_F(StoreFileTest, ADamagedDatabaseIsNotReadAsIfItWereWhole) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    std::string bytes = base::read_file(file);
+    for (std::size_t page = 2; page * 4096 < bytes.size(); ++page) {
+        bytes.replace(page * 4096, 64, std::string(64, '\x5a'));
+    }
+    base::write_file_atomically(file, bytes);
+    EXPECT_THROW(
+        {
+            Store store(url(), Store::Access::kReadOnly);
+            (void)store.trials();
+        },
+        base::Error);
+}
+
+const std::vector<Migration>& two_steps() {
+    static const std::vector<Migration> steps = [] {
+        std::vector<Migration> list = migrations();
+        list.push_back({2, {"ALTER TABLE participants ADD COLUMN shoe_size {integer}"}});
+        return list;
+    }();
+    return steps;
+}
+
+TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    Database database(url(), false);
+    EXPECT_THROW(require_current(database, two_steps()), base::Error);
+    migrate(database, two_steps());
+    EXPECT_EQ(schema_version(database), 2);
+    int rows = 0;
+    database.session() << "SELECT COUNT(*) FROM trials, participants WHERE shoe_size IS NULL",
+        soci::into(rows);
+    EXPECT_EQ(rows, 7);
+    migrate(database, two_steps());  // nothing to do
+    EXPECT_EQ(schema_version(database), 2);
+    EXPECT_THROW(migrate(database, migrations()), base::Error);
+}
+
+TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    auto steps = two_steps();
+    steps.push_back({3, {"DROP TABLE events", "ALTER TABLE nowhere ADD COLUMN nothing {integer}"}});
+    Database database(url(), false);
+    EXPECT_ANY_THROW(migrate(database, steps));
+    EXPECT_EQ(schema_version(database), 1);
+    Store store(url(), Store::Access::kReadOnly);
+    EXPECT_EQ(store.events().size(), 1U);
+    EXPECT_EQ(store.participants().front(), test::a_participant(0));
+}
+
+TEST_F(StoreFileTest, ATransactionIsRolledBackUnlessCommitted) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    Database database(url(), false);
+    const auto count_events = [&] {
+        int count = 0;
+        database.session() << "SELECT COUNT(*) FROM events", soci::into(count);
+        return count;
+    };
+    {
+        const Transaction transaction(database);
+        database.execute("DELETE FROM events");
+        EXPECT_EQ(count_events(), 0);
+    }
+    EXPECT_EQ(count_events(), 1);
+    try {
+        const Transaction transaction(database);
+        database.execute("DELETE FROM events");
+        throw std::runtime_error("in the middle");
+    } catch (const std::runtime_error&) {
+        EXPECT_EQ(count_events(), 1);
+    }
+    {
+        Transaction transaction(database);
+        database.execute("DELETE FROM events");
+        transaction.commit();
+    }
+    EXPECT_EQ(count_events(), 0);
+}
+
+/// The constraints hold against other programs too, which know nothing of our checks.
+TEST_F(StoreFileTest, TheSchemaItselfRefusesRowsThatCannotBe) {
+    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    Database database(url(), false);
+    for (const char* statement : {
+             "UPDATE trials SET is_A_selected = 1 WHERE trial_index = 0",
+             "UPDATE trials SET is_A_selected = NULL",
+             "UPDATE trials SET first_shown = 'C'",
+             "UPDATE trials SET kind = 'guest'",
+             "UPDATE trials SET session_id = 'nobody'",
+             "UPDATE trials SET response_time_s = -1",
+             "UPDATE trials SET response_time_s = 'soon'",
+             "UPDATE trials SET trial_index = 0",
+             "UPDATE trials SET condition = 'same'",
+             "UPDATE sessions SET participant_id = 'nobody'",
+             "UPDATE sessions SET state = 'open'",
+             "UPDATE sessions SET swapped = 2",
+             "UPDATE sessions SET ended_utc = 'now'",
+             "UPDATE participants SET age_years = 0",
+             "UPDATE participants SET kind = 'practice'",
+             "UPDATE events SET session_id = 'nobody'",
+             "DELETE FROM sessions",
+             "DELETE FROM participants",
+         }) {
+        EXPECT_THROW(database.execute(statement), soci::soci_error) << statement;
+    }
+}
+
+}  // namespace
+}  // namespace obscura::analysis

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/gl/context.h"
+#include "stimuli/stimulus.h"
+
+namespace obscura::stimuli {
+namespace {
+
+using renderer::Frame;
+using renderer::Pass;
+using renderer::PlannedTarget;
+using renderer::Target;
+
+/// The targets that may differ within a pair: what follows from accessibility.
+bool follows_from_accessibility(Target target) {
+    return target == Target::kAccessibility || target == Target::kDenoiseStep ||
+           target == Target::kDenoised || target == Target::kHdr || target == Target::kDisplay;
+}
+
+/// What the composite multiplied the ambient light by; 1 everywhere without a technique.
+std::vector<float> accessibility_of(const Frame& frame) {
+    if (frame.plan().has(Pass::kAccessibility)) {
+        return frame.read_floats(frame.plan().final_accessibility());
+    }
+    return std::vector<float>(static_cast<std::size_t>(frame.plan().width) * frame.plan().height,
+                              1.0F);
+}
+
+/// The thesis's study, at a quarter of its size so that it is quick.
+Study small_study() {
+    Study study = load_study("jakobsen2010");
+    study.width = 640;
+    study.height = 360;
+    return study;
+}
+
+void expect_shared_targets_equal(const Frame& a, const Frame& b, const std::string& pair) {
+    int shared = 0;
+    for (const PlannedTarget& planned : a.plan().targets) {
+        if (follows_from_accessibility(planned.target) ||
+            b.plan().find(planned.target) == nullptr || planned.target == Target::kShadow) {
+            continue;
+        }
+        ++shared;
+        EXPECT_TRUE(a.read_bytes(planned.target) == b.read_bytes(planned.target))
+            << pair << ": " << to_string(planned.target) << " differs";
+    }
+    EXPECT_GE(shared, 3) << pair;
+}
+
+void expect_equal_pixels_where_equally_open(const Frame& a, const Frame& b,
+                                            const std::string& pair) {
+    const std::vector<float> open_a = accessibility_of(a);
+    const std::vector<float> open_b = accessibility_of(b);
+    const std::vector<std::uint8_t> image_a = a.read_display();
+    const std::vector<std::uint8_t> image_b = b.read_display();
+    std::size_t equal = 0;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < open_a.size(); ++i) {
+        const bool same = std::equal(&image_a[3 * i], &image_a[3 * i] + 3, &image_b[3 * i]);
+        if (open_a[i] == open_b[i]) {
+            ++equal;
+            ASSERT_TRUE(same) << pair << ": pixel " << i;
+        } else if (!same) {
+            ++differing;
+        }
+    }
+    EXPECT_GT(equal, 100U) << pair << ": the test saw too little";
+    EXPECT_GT(differing, 1000U) << pair << ": the two images are one";
+}
+
+void expect_finite(const Frame& frame, const std::string& file) {
+    for (const PlannedTarget& planned : frame.plan().targets) {
+        if (planned.target != Target::kAccessibility && planned.target != Target::kDenoised) {
+            continue;
+        }
+        for (const float value : frame.read_floats(planned.target)) {
+            ASSERT_TRUE(std::isfinite(value) && value >= 0.0F && value <= 1.0F) << file;
+        }
+    }
+}
+
+TEST(Pairs, OfTheThesisDifferInNothingButTheirAmbientOcclusion) {
+    const renderer::HeadlessContext context;
+    const Study study = small_study();
+    StimulusRenderer renderer(study);
+    ASSERT_EQ(study.conditions.size(), 7U);
+    for (const Condition& condition : study.conditions) {
+        const Frame a = renderer.render({&condition, 'a'});
+        const Frame b = renderer.render({&condition, 'b'});
+        expect_shared_targets_equal(a, b, condition.id);
+        expect_equal_pixels_where_equally_open(a, b, condition.id);
+        expect_finite(a, condition.id + "-a");
+        expect_finite(b, condition.id + "-b");
+    }
+}
+
+TEST(Pairs, TheRelicUnderCrytekHasNeitherNormalNorLightTargets) {
+    const renderer::HeadlessContext context;
+    const Study study = small_study();
+    StimulusRenderer renderer(study);
+    const Frame frame = renderer.render({study.find_condition("I"), 'a'});
+    for (const Target absent :
+         {Target::kNormal, Target::kAmbient, Target::kDirect, Target::kShadow, Target::kHdr}) {
+        EXPECT_EQ(frame.plan().find(absent), nullptr) << to_string(absent);
+    }
+    EXPECT_FALSE(frame.plan().has(Pass::kLight));
+}
+
+}  // namespace
+}  // namespace obscura::stimuli
