@@ -79,6 +79,25 @@ std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
         kSignificance, tests, result.significant_holm);
 }
 
+std::string sentence_of(const std::vector<ConditionResult>& conditions) {
+    std::vector<std::string> alone;
+    std::vector<std::string> corrected;
+    std::size_t tests = 0;
+    for (const ConditionResult& result : conditions) {
+        if (!result.p_holm.has_value()) continue;
+        ++tests;
+        if (is_significant(result.preference.chi_square)) alone.push_back(result.condition.id);
+        if (*result.p_holm < kSignificance) corrected.push_back(result.condition.id);
+    }
+    const auto list = [](const std::vector<std::string>& ids) {
+        return ids.empty() ? std::string("none") : fmt::format("{}", fmt::join(ids, ", "));
+    };
+    return fmt::format(
+        "Significant at {:g} each for itself: {}. Still so after Holm's correction for {} tests: "
+        "{}.",
+        kSignificance, list(alone), tests, list(corrected));
+}
+
 std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
     std::map<std::string, HypothesisResult> by_name;
     std::size_t tests = 0;
@@ -186,6 +205,7 @@ Analysis analyse(const Tally& tally) {
     Analysis analysis;
     analysis.tally = tally;
     analysis.conditions = test_conditions(tally);
+    analysis.sentence = sentence_of(analysis.conditions);
     analysis.hypotheses = test_hypotheses(analysis.conditions);
     analysis.validity = test_validity(tally);
     if (tally.order.has_value()) {
@@ -199,8 +219,9 @@ Analysis analyse(const Tally& tally) {
 
 std::string p_text(const PValue& p) {
     constexpr double kShownAsPower = 1e-290;
-    if (p.p >= kShownAsPower) return fmt::format("{:.4g}", p.p);
-    return fmt::format("10^{:.2f}", p.log10_p);
+    constexpr double kShownWithExponent = 1e-3;
+    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
+    return p.p < kShownWithExponent ? fmt::format("{:.3e}", p.p) : fmt::format("{:.6f}", p.p);
 }
 
 }  // namespace obscura::analysis

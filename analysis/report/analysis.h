@@ -71,6 +71,7 @@ struct OrderBias {
 struct Analysis {
     Tally tally;
     std::vector<ConditionResult> conditions;
+    std::string sentence;                      ///< what the conditions say, before and after Holm
     std::vector<HypothesisResult> hypotheses;  ///< in order of their names
     ValidityResult validity;
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
@@ -85,7 +86,8 @@ struct Analysis {
 /// NAME_reason. Ends with a line feed.
 [[nodiscard]] std::string json_report(const Analysis& analysis);
 
-/// A p-value for people: four significant digits, a power of ten where a double is too small.
+/// A p-value for people: six decimals, four significant digits below a thousandth, and a power of
+/// ten where a double is too small.
 [[nodiscard]] std::string p_text(const PValue& p);
 
 }  // namespace obscura::analysis

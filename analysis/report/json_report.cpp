@@ -149,6 +149,7 @@ std::string json_report(const Analysis& analysis) {
     for (const ConditionResult& result : analysis.conditions) {
         report["conditions"].push_back(condition_json(result));
     }
+    report["sentence"] = analysis.sentence;
     report["hypotheses"] = Json::object();
     for (const HypothesisResult& result : analysis.hypotheses) {
         report["hypotheses"][result.name] = hypothesis_json(result);
