@@ -11,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/statistics/benjamini_hochberg.h"
+#include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
 #include "analysis/statistics/holm.h"
@@ -29,6 +31,7 @@ Preference preference_of(const Votes& votes) {
     preference.chi_square = chi_square_equal_split(votes);
     preference.exact = exact_binomial(votes.b, votes.n());
     preference.wilson = wilson(votes.b, votes.n(), kConfidence);
+    preference.clopper_pearson = clopper_pearson(votes.b, votes.n(), kConfidence);
     preference.cohens_g = cohens_g(votes);
     return preference;
 }
@@ -45,10 +48,14 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
         }
         results.push_back(std::move(result));
     }
-    const std::vector<double> adjusted = holm(family);
-    auto next = adjusted.begin();
+    const std::vector<double> by_holm = holm(family);
+    const std::vector<double> by_rate = benjamini_hochberg(family);
+    std::size_t next = 0;
     for (ConditionResult& result : results) {
-        if (result.preference.chi_square.has_value()) result.p_holm = *next++;
+        if (!result.preference.chi_square.has_value()) continue;
+        result.p_holm = by_holm[next];
+        result.p_bh = by_rate[next];
+        ++next;
     }
     return results;
 }

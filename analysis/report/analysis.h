@@ -23,6 +23,7 @@ struct Preference {
     Possible<ChiSquareTest> chi_square = Possible<ChiSquareTest>::none("no votes");
     Possible<PValue> exact = Possible<PValue>::none("no votes");
     Possible<Interval> wilson = Possible<Interval>::none("no votes");
+    Possible<Interval> clopper_pearson = Possible<Interval>::none("no votes");
     Possible<double> cohens_g = Possible<double>::none("no votes");
 };
 
@@ -31,6 +32,8 @@ struct ConditionResult {
     Preference preference;
     /// The chi-square p-value after Holm's correction over all conditions that have one.
     Possible<double> p_holm = Possible<double>::none("no votes");
+    /// The same after Benjamini and Hochberg's.
+    Possible<double> p_bh = Possible<double>::none("no votes");
 };
 
 /// A hypothesis that conditions name: their votes together.

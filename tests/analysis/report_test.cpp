@@ -105,8 +105,9 @@ TEST(JsonReport, SaysWhyAValueIsMissing) {
     const json report = json_of(analyse(parse_counts(
         kHeader + "I,H1,low,A,B,0,0\nII,H1,high,A,B,0,9\nIII,,low,C,D,0,9\n", "votes.csv")));
     const json& condition = report["conditions"][0];
-    for (const char* name : {"chi_square", "df", "p_value", "p_exact", "p_holm", "share_b",
-                             "wilson_low", "wilson_high", "cohens_g"}) {
+    for (const char* name :
+         {"chi_square", "df", "p_value", "p_exact", "p_holm", "p_bh", "share_b", "wilson_low",
+          "wilson_high", "clopper_pearson_low", "clopper_pearson_high", "cohens_g"}) {
         EXPECT_TRUE(condition[name].is_null()) << name;
         EXPECT_EQ(condition[std::string(name) + "_reason"], "no votes");
     }
