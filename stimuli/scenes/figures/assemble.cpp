@@ -80,7 +80,7 @@ float occlusion_at(const NearField& field, const glm::vec3& p, const glm::vec3& 
 
 /// An eyeball with a cornea's bulge left out: white, iris and pupil are painted on its rings.
 renderer::Mesh eyeball(const Eye& eye) {
-    constexpr int kRings = 28;
+    constexpr int kRings = 18;
     std::vector<glm::vec2> profile;
     for (int i = 0; i <= kRings; ++i) {
         // Rings crowd at the front pole, where the iris is.
@@ -95,7 +95,7 @@ renderer::Mesh eyeball(const Eye& eye) {
     // The ball's pole (+Y) becomes the gaze.
     placement.transform = glm::mat4(glm::vec4(axes[0], 0.0F), glm::vec4(axes[2], 0.0F),
                                     glm::vec4(-axes[1], 0.0F), glm::vec4(eye.centre_m, 1.0F));
-    append(whole, revolve(profile, 32), placement);
+    append(whole, revolve(profile, 22), placement);
     paint(whole, [&](const glm::vec3& p, const glm::vec3&) {
         const glm::vec3 way = glm::normalize(p - eye.centre_m);
         const float off = std::acos(std::clamp(glm::dot(way, eye.gaze), -1.0F, 1.0F));

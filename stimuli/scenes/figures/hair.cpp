@@ -56,7 +56,7 @@ Displacement strands(float height_m, std::function<float(const glm::vec3&)> fiel
 }  // namespace
 
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0041F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     hair.add(ellipsoid(scalp.local(0.0F, 0.036F, -0.014F),
@@ -118,7 +118,7 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
 }
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0041F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
@@ -169,12 +169,12 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
                                        0.074F - 0.012F * t),
                            scale * 0.0055F, scale * 0.0035F},
                           {scalp.local(x * (0.074F + 0.004F * t), 0.010F, 0.052F - 0.012F * t),
-                           scale * 0.0045F, scale * 0.003F},
+                           scale * 0.0052F, scale * 0.0038F},
                           {scalp.local(x * (0.072F + 0.003F * t), -0.050F + 0.012F * t,
                                        0.046F - 0.008F * t),
-                           scale * 0.0030F, scale * 0.002F},
+                           scale * 0.0044F, scale * 0.0034F},
                           {scalp.local(x * (0.062F + 0.006F * t), -0.092F + 0.02F * t, 0.052F),
-                           scale * 0.0008F, 0.0F}},
+                           scale * 0.0022F, 0.0F}},
                          5, at.axes[2])),
                      {scale * 0.002F, colour * (1.0F - 0.08F * t), true});
         }

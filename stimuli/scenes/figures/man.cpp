@@ -65,10 +65,10 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
                                   {p(cuff), 0.044F, 0.0F}},
                                  7, at.axes[2]);
     jacket.add(
-        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0085F, 0.040F, 0.30F},
-                          {0.10F * upper, 0.09F, 2.4F, 0.0060F, 0.045F, 0.25F},
+        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0064F, 0.042F, 0.30F},
+                          {0.10F * upper, 0.09F, 2.4F, 0.0042F, 0.048F, 0.25F},
                           {0.55F * upper, 0.10F, inner_rad + 1.5F, 0.0040F, 0.055F, 0.40F},
-                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0055F, 0.026F, 0.70F}},
+                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
                          seed)),
         {0.022F, kJacketColour, true});
     // Ribbed cuff.
@@ -80,7 +80,7 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
-    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0080F, 0.10F).solid;
+    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0086F, 0.10F).solid;
     jacket = core;
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
@@ -170,7 +170,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0084F, 0.08F);
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0090F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -216,7 +216,7 @@ void add_trousers(Figure& man, const Placed& at) {
 }
 
 void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
-    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0064F, 0.12F);
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0072F, 0.12F);
     Sculpture& s = part.solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     for (const float x : kSides) {
@@ -294,7 +294,7 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0037F, 0.06F).solid;
+    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0040F, 0.06F).solid;
     for (const auto& [elbow, wrist] : {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
         const glm::vec3 inside = along(elbow, wrist, 0.80F);
         skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z), 0.0265F),
@@ -322,7 +322,7 @@ Figure make_man(const Placed& at) {
     add_undershirt(man, at);
     add_trousers(man, at);
     add_harness(man, at, core);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0070F, 0.12F).solid;
+    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);
@@ -332,7 +332,8 @@ Figure make_man(const Placed& at) {
     FaceTraits traits;
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
-    traits.jaw = 1.06F;
+    traits.jaw = 1.02F;
+    traits.stubble = 0.22F;
     traits.neck = 1.08F;
     add_head(man, head, 1.0F, traits);
     add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});

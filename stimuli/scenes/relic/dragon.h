@@ -24,6 +24,10 @@ inline constexpr glm::vec3 kSandstone{0.72F, 0.68F, 0.61F};
 /// Where the head sits on the spine.
 [[nodiscard]] Placed head_place();
 
+/// Overlapping scales, `around` of them to a turn and up to `high_m` high where the tube is
+/// thickest; with `plates`, broad plates on the side that faces away from the normal.
+[[nodiscard]] TubeStyle scales(const Curve& curve, int around, float high_m, bool plates);
+
 void add_body(Sculpture& sculpture, const Curve& spine);
 void add_crest(Sculpture& sculpture, const Curve& spine);
 void add_limbs(Sculpture& sculpture);

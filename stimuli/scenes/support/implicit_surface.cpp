@@ -222,7 +222,7 @@ class Mesher {
         const float value = sculpture_.distance(start, block.parts);
         const float steep2 = std::max(glm::dot(slope, slope), 0.25F);
         glm::vec3 step = -slope * (value / steep2);
-        const float longest = 0.5F * cell_m_;
+        const float longest = 0.3F * cell_m_;
         if (glm::length(step) > longest) step *= longest / glm::length(step);
         renderer::Vertex vertex;
         vertex.position_m = start + step;
