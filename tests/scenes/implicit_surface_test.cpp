@@ -71,7 +71,8 @@ TEST(ImplicitSurface, StrokesBlendOnlyWithinTheirWidth) {
     const Sculpture s = snowman();
     const glm::vec3 low(0.0F, -0.15F, 0.0F);
     EXPECT_FLOAT_EQ(s.distance(low), 0.05F);
-    EXPECT_LT(s.distance({0.0F, 0.085F, 0.055F}), ball({0.0F, 0.0F, 0.0F}, 0.10F)->distance({0.0F, 0.085F, 0.055F}));
+    EXPECT_LT(s.distance({0.0F, 0.085F, 0.055F}),
+              ball({0.0F, 0.0F, 0.0F}, 0.10F)->distance({0.0F, 0.085F, 0.055F}));
     EXPECT_GT(s.distance({0.0F, 0.0F, 0.09F}), 0.0F) << "carved away";
 }
 
@@ -123,7 +124,9 @@ TEST(ImplicitShapes, DistancesOfRoundConesAndBoxesAreExact) {
 }
 
 TEST(ImplicitShapes, NoLowerBoundExceedsTheDistance) {
-    const Curve curve = make_curve({{{0, 0, 0}, 0.05F, 0.01F}, {{0.1F, 0.1F, 0}, 0.02F, 0.04F}, {{0.2F, 0, 0.1F}, 0.03F, 0.0F}},
+    const Curve curve = make_curve({{{0, 0, 0}, 0.05F, 0.01F},
+                                    {{0.1F, 0.1F, 0}, 0.02F, 0.04F},
+                                    {{0.2F, 0, 0.1F}, 0.03F, 0.0F}},
                                    5, {0, 1, 0});
     std::vector<ShapePtr> shapes = tube(curve);
     for (const ShapePtr& squarish : tube(curve, {true, nullptr, 0.0F})) shapes.push_back(squarish);
@@ -133,7 +136,8 @@ TEST(ImplicitShapes, NoLowerBoundExceedsTheDistance) {
         for (int i = 0; i < 200; ++i) {
             // Points on the surface, found along a ray from outside: the bound must not be above 0.
             const auto t = static_cast<float>(i);
-            const glm::vec3 way = glm::normalize(glm::vec3(std::sin(t), std::cos(1.7F * t), std::sin(2.3F * t + 1.0F)));
+            const glm::vec3 way = glm::normalize(
+                glm::vec3(std::sin(t), std::cos(1.7F * t), std::sin(2.3F * t + 1.0F)));
             const Bounds box = shape->bounds();
             glm::vec3 inside = 0.5F * (box.low + box.high);
             if (shape->distance(inside) > 0.0F) continue;
@@ -150,7 +154,8 @@ TEST(ImplicitShapes, NoLowerBoundExceedsTheDistance) {
 }
 
 TEST(ImplicitShapes, ACurvesLengthsGrowAndItsNormalsStandAcrossIt) {
-    const Curve curve = make_curve({{{0, 0, 0}, 0.1F, 0.0F}, {{0, 1, 0}, 0.2F, 0.0F}, {{1, 1, 0}, 0.1F, 0.0F}}, 10, {0, 0, 1});
+    const Curve curve = make_curve(
+        {{{0, 0, 0}, 0.1F, 0.0F}, {{0, 1, 0}, 0.2F, 0.0F}, {{1, 1, 0}, 0.1F, 0.0F}}, 10, {0, 0, 1});
     ASSERT_EQ(curve.size(), 21U);
     EXPECT_EQ(curve.front().position_m, glm::vec3(0.0F));
     EXPECT_NEAR(curve[10].width_m, 0.2F, 1e-6F);

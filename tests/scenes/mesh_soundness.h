@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -36,12 +36,19 @@ inline void expect_sound(const renderer::Mesh& mesh) {
 
 /// Edges, as pairs of places, that one triangle crosses one way and none crosses the other way.
 inline std::vector<std::pair<glm::vec3, glm::vec3>> open_edges(const renderer::Mesh& mesh) {
-    std::map<std::tuple<float, float, float>, std::uint32_t> places;
-    std::vector<std::uint32_t> place_of;
-    for (const renderer::Vertex& vertex : mesh.vertices) {
-        const auto next = static_cast<std::uint32_t>(places.size());
-        const glm::vec3 p = vertex.position_m;
-        place_of.push_back(places.try_emplace({p.x, p.y, p.z}, next).first->second);
+    const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto key = [&](std::uint32_t i) {
+        const glm::vec3 p = mesh.vertices[i].position_m;
+        return std::tuple(p.x, p.y, p.z);
+    };
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> place_of(count);
+    for (std::uint32_t i = 1; i < count; ++i) {
+        place_of[order[i]] =
+            place_of[order[i - 1]] + (key(order[i]) == key(order[i - 1]) ? 0U : 1U);
     }
     std::vector<std::tuple<std::uint32_t, std::uint32_t, int, std::uint32_t, std::uint32_t>> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {

@@ -23,7 +23,7 @@ void expect_same(const renderer::Scene& a, const renderer::Scene& b) {
 }
 
 /// Everything that must hold for any scene, in one test because a build takes a second.
-void expect_sound(const BuiltinScene& entry, const renderer::Scene& scene) {
+void expect_sound_scene(const BuiltinScene& entry, const renderer::Scene& scene) {
     for (const renderer::Mesh& mesh : scene.meshes) {
         expect_sound(mesh);
         EXPECT_LT(mesh.material, scene.materials.size()) << mesh.name;
@@ -40,7 +40,8 @@ void expect_sound(const BuiltinScene& entry, const renderer::Scene& scene) {
             EXPECT_EQ(crossings_above(mesh, camera->position_m) % 2, 0)
                 << "camera " << name << " is inside " << mesh.name;
             for (const renderer::Vertex& vertex : mesh.vertices) {
-                ASSERT_GT(glm::distance(vertex.position_m, camera->position_m), 2.0F * camera->near_m)
+                ASSERT_GT(glm::distance(vertex.position_m, camera->position_m),
+                          2.0F * camera->near_m)
                     << name << " touches " << mesh.name;
             }
         }
@@ -50,7 +51,7 @@ void expect_sound(const BuiltinScene& entry, const renderer::Scene& scene) {
 TEST(Relic, IsSoundClosedDetailedAndTheSameInEveryBuild) {
     const BuiltinScene entry = make_relic();
     const renderer::Scene scene = entry.build();
-    expect_sound(entry, scene);
+    expect_sound_scene(entry, scene);
     EXPECT_GE(scene.triangle_count(), 200'000U);
     EXPECT_LE(scene.triangle_count(), 500'000U);
     for (const renderer::Mesh& mesh : scene.meshes) {
@@ -77,7 +78,7 @@ TEST(Relic, HasConstantLightOnWhiteAndNothingElse) {
 TEST(Figures, AreSoundClosedDetailedAndTheSameInEveryBuild) {
     const BuiltinScene entry = make_figures();
     const renderer::Scene scene = entry.build();
-    expect_sound(entry, scene);
+    expect_sound_scene(entry, scene);
     EXPECT_GE(scene.triangle_count(), 150'000U);
     EXPECT_LE(scene.triangle_count(), 500'000U);
     std::set<std::string> people;
@@ -86,7 +87,8 @@ TEST(Figures, AreSoundClosedDetailedAndTheSameInEveryBuild) {
         people.insert(mesh.name.substr(0, mesh.name.find(' ')));
         EXPECT_TRUE(open_edges(mesh).empty()) << mesh.name;
         float lowest = 1.0F;
-        for (const renderer::Vertex& vertex : mesh.vertices) lowest = std::min(lowest, vertex.position_m.y);
+        for (const renderer::Vertex& vertex : mesh.vertices)
+            lowest = std::min(lowest, vertex.position_m.y);
         EXPECT_GT(lowest, -0.02F) << mesh.name << " sinks into the ground";
     }
     EXPECT_EQ(people, (std::set<std::string>{"man", "woman"}));

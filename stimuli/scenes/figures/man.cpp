@@ -80,7 +80,7 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
-    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0086F, 0.10F).solid;
+    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid;
     jacket = core;
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
@@ -132,7 +132,7 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
              const float drape =
                  gradient_noise(glm::vec3(p.x * 16.0F + p.y * 5.0F, p.y * 4.0F, p.z * 16.0F), 43);
              const float body = std::clamp((0.20F - std::abs(p.x)) / 0.05F, 0.0F, 1.0F) *
-                                            std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
+                                std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
              return body *
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
@@ -140,10 +140,13 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_undershirt(Figure& man, const Placed& at) {
-    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0060F, 0.08F).solid;
+    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0080F, 0.08F).solid;
     const glm::vec3 colour(0.10F, 0.10F, 0.105F);
-    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes), {0.0F, colour, true});
-    s.keep(half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))), {0.008F, colour, false});
+    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes),
+          {0.0F, colour, true});
+    s.keep(
+        half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))),
+        {0.008F, colour, false});
 }
 
 void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
@@ -170,7 +173,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0090F, 0.08F);
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0095F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -178,7 +181,8 @@ void add_trousers(Figure& man, const Placed& at) {
         s.add(ellipsoid(at(x * 0.075F, 0.915F, -0.055F), {0.088F, 0.095F, 0.078F}, at.axes),
               {0.04F, kTrouserColour, true});
     }
-    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)), {0.006F, kTrouserColour, false});
+    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
+           {0.006F, kTrouserColour, false});
     add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 303);
     add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 404);
     // Cargo pockets with flaps, outside on the thighs; a fly and slant pockets.
@@ -295,9 +299,11 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
     Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0040F, 0.06F).solid;
-    for (const auto& [elbow, wrist] : {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
+    for (const auto& [elbow, wrist] :
+         {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
         const glm::vec3 inside = along(elbow, wrist, 0.80F);
-        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z), 0.0265F),
+        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z),
+                            0.0265F),
                  {0.010F, colour, true});
     }
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.22F));
@@ -333,7 +339,6 @@ Figure make_man(const Placed& at) {
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
     traits.jaw = 1.02F;
-    traits.stubble = 0.22F;
     traits.neck = 1.08F;
     add_head(man, head, 1.0F, traits);
     add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});

@@ -105,7 +105,7 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
              const float drape =
                  gradient_noise(glm::vec3(p.x * 18.0F - p.y * 6.0F, p.y * 4.0F, p.z * 18.0F), 63);
              const float body = std::clamp((0.165F - std::abs(p.x)) / 0.04F, 0.0F, 1.0F) *
-            std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
+                                std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
              return body * (0.0040F * waist * rolls * (0.5F + std::abs(warp)) + 0.0032F * drape);
          },
          0.008F});
@@ -310,7 +310,8 @@ Figure make_woman(const Placed& at) {
     traits.skin = kSkinColour;
     traits.lip = {0.46F, 0.18F, 0.155F};
     traits.brow = 0.5F;
-    traits.jaw = 0.90F;
+    traits.jaw = 0.92F;
+    traits.hollow = 0.45F;
     traits.lips = 1.18F;
     traits.nose = 0.88F;
     traits.neck = 0.84F;

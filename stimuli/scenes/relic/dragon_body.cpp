@@ -30,7 +30,8 @@ class RowsAlong {
             const float along_m = step_m_ * static_cast<float>(step);
             while (next + 1 < curve.size() && curve[next].length_m < along_m) ++next;
             rows_.push_back(rows);
-            rows += step_m_ / (kScaleLength * 2.0F * kPi * curve[next].width_m / static_cast<float>(around));
+            rows += step_m_ /
+                    (kScaleLength * 2.0F * kPi * curve[next].width_m / static_cast<float>(around));
         }
     }
     [[nodiscard]] float at(float along_m) const {
@@ -73,9 +74,10 @@ float plate_height(float row) {
 
 TubeStyle scales(const Curve& curve, int around, float high_m, bool plates) {
     const RowsAlong rows(curve, around);
-    const float thickest = std::max_element(curve.begin(), curve.end(), [](const CurvePoint& a, const CurvePoint& b) {
-                               return a.width_m < b.width_m;
-                           })->width_m;
+    const float thickest =
+        std::max_element(curve.begin(), curve.end(), [](const CurvePoint& a, const CurvePoint& b) {
+            return a.width_m < b.width_m;
+        })->width_m;
     const Relief relief = [=](const TubePoint& at) {
         const float size = std::clamp(at.radius_m / thickest, 0.15F, 1.0F);
         const float row = rows.at(at.along_m);
@@ -165,10 +167,10 @@ void add_crest(Sculpture& sculpture, const Curve& spine) {
         const float high = 0.022F + 0.55F * at.width_m;
         const glm::vec3 root = at.position_m + at.normal * (at.width_m - 0.008F);
         const Curve fin = make_curve(
-            {{root + forward * (0.10F * high), 0.34F * high, 0.0075F},
-             {root + at.normal * (0.55F * high) - forward * (0.12F * high), 0.25F * high, 0.0060F},
-             {root + at.normal * (0.95F * high) - forward * (0.50F * high), 0.12F * high, 0.0042F},
-             {root + at.normal * (1.05F * high) - forward * (0.95F * high), 0.0025F, 0.0025F}},
+            {{root + forward * (0.10F * high), 0.34F * high, 0.0088F},
+             {root + at.normal * (0.55F * high) - forward * (0.12F * high), 0.25F * high, 0.0075F},
+             {root + at.normal * (0.95F * high) - forward * (0.50F * high), 0.12F * high, 0.0062F},
+             {root + at.normal * (1.05F * high) - forward * (0.95F * high), 0.0042F, 0.0042F}},
             4, forward);
         sculpture.add(tube(fin), {0.008F, kDeep, true});
     }
