@@ -10,8 +10,10 @@ namespace obscura::app {
 
 // One line a command; each is defined in the file of its name.
 Command analyze_command();
+Command demo_command();
 Command run_command();
 Command check_command();
+Command export_command();
 Command plan_command();
 Command render_command();
 

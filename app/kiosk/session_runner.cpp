@@ -111,6 +111,7 @@ void SessionRunner::show_first_frame() {
         draw_still();
     } else {
         draw_first_frame(stage_.ui, [this] { draw_page(); });
+        form_.focus_age = true;  // the first frame's input is forgotten, its focus too
     }
     finish_presenting(asked_s_);
 }

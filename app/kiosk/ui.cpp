@@ -8,6 +8,9 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/widgets.h"
 #include "renderer/base/error.h"
@@ -41,9 +44,21 @@ Ui::~Ui() {
     ImGui::DestroyContext();
 }
 
+void Ui::take_short_taps() {
+    // Dear ImGui 1.86 reads which keys are down once a frame; one that went down and up between
+    // two frames is shown to it as down for a frame.
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : tapped_) {
+        io.KeysDown[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+    }
+    tapped_ = window_.take_taps();
+    for (const int key : tapped_) io.KeysDown[key] = true;
+}
+
 void Ui::draw(const std::function<void()>& page) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    take_short_taps();
     ImGui::NewFrame();
     page();
     ImGui::Render();

@@ -30,7 +30,10 @@ class Ui {
     void forget_input();
 
   private:
+    void take_short_taps();
+
     Window& window_;
+    std::vector<int> tapped_;  ///< keys shown to Dear ImGui as down in the last frame
     int grey_level_;
     Fonts fonts_;
 };

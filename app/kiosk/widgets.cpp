@@ -28,6 +28,10 @@ const ImVec4 kQuietHovered{0.70F, 0.712F, 0.728F, 1.0F};
 const ImVec4 kQuietPressed{0.64F, 0.655F, 0.672F, 1.0F};
 const ImVec4 kComplaint{0.66F, 0.13F, 0.10F, 1.0F};
 
+/// Added to the text's height: space between lines, and for an empty line.
+constexpr float kLeading = 0.32F;
+constexpr float kParagraphGap = 0.25F;
+
 /// Free space between a card and the window's edge, in pixels.
 constexpr float kMargin_px = 24.0F;
 
@@ -90,15 +94,29 @@ void heading(const Fonts& fonts, const std::string& text) {
 }
 
 void paragraph(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    std::size_t from = 0;
-    while (from < text.size()) {
-        const std::size_t to = std::min(text.find("\n\n", from), text.size());
-        ImGui::TextUnformatted(text.c_str() + from, text.c_str() + to);
-        from = to == text.size() ? to : to + 2;
-        if (from < text.size()) gap(0.3F);
+    ImGui::BeginGroup();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float size = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, size * kLeading});
+    const char* at = text.data();
+    const char* const end = text.data() + text.size();
+    while (at < end) {
+        const char* line_end = std::find(at, end, '\n');
+        if (line_end == at) {
+            ImGui::Dummy({1.0F, size * kParagraphGap});
+            ++at;
+            continue;
+        }
+        while (at < line_end) {
+            const char* wrap = ImGui::GetFont()->CalcWordWrapPositionA(1.0F, at, line_end, width);
+            wrap = std::max(wrap, at + 1);
+            ImGui::TextUnformatted(at, wrap);
+            at = std::find_if(wrap, line_end, [](char c) { return c != ' '; });
+        }
+        if (at < end) ++at;  // the line's end
     }
-    ImGui::PopTextWrapPos();
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
 }
 
 void hint(const Fonts& fonts, const std::string& text) {
@@ -143,12 +161,27 @@ bool primary_button(const char* label) {
     return pressed || enter_pressed();
 }
 
+bool radio(const char* label, bool chosen) {
+    const float text_px = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
+    const bool pressed = ImGui::RadioButton(label, chosen);
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
+void tick(const char* label, bool& ticked) {
+    const float text_px = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
+    ImGui::Checkbox(label, &ticked);
+    ImGui::PopStyleVar();
+}
+
 void yes_no(const char* name, const std::string& question, std::optional<bool>& answer) {
     ImGui::PushID(name);
     paragraph(question);
-    if (ImGui::RadioButton("Yes", answer == true)) answer = true;
+    if (radio("Yes", answer == true)) answer = true;
     ImGui::SameLine(0.0F, ImGui::GetFontSize() * 1.6F);
-    if (ImGui::RadioButton("No", answer == false)) answer = false;
+    if (radio("No", answer == false)) answer = false;
     ImGui::PopID();
 }
 

@@ -22,7 +22,7 @@ void card(const char* name, float columns, const std::function<void()>& content,
           Keyboard keyboard = Keyboard::kMovesAndPresses);
 
 void heading(const Fonts& fonts, const std::string& text);
-/// Wrapped; an empty line in the text makes a paragraph.
+/// Wrapped and spaced for reading; an empty line in the text makes a paragraph.
 void paragraph(const std::string& text);
 void hint(const Fonts& fonts, const std::string& text);
 /// Something the reader must change.
@@ -36,6 +36,10 @@ void gap(float lines = 1.0F);
 [[nodiscard]] bool primary_button(const char* label);
 /// As wide as given, `height` times the text's height.
 [[nodiscard]] bool wide_button(const char* label, float width_px, float height, bool primary);
+
+/// A choice of several; gives whether it was pressed.
+[[nodiscard]] bool radio(const char* label, bool chosen);
+void tick(const char* label, bool& ticked);
 
 /// Yes and No side by side, neither chosen at first.
 void yes_no(const char* name, const std::string& question, std::optional<bool>& answer);

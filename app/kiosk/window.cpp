@@ -88,7 +88,9 @@ struct Window::Callbacks {
         return *static_cast<Window*>(glfwGetWindowUserPointer(window));
     }
     static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
-        if (action == GLFW_PRESS) of(window).keys_.push_back({key, modifiers, monotonic_s()});
+        if (action != GLFW_PRESS || key == GLFW_KEY_UNKNOWN) return;
+        of(window).keys_.push_back({key, modifiers, monotonic_s()});
+        of(window).taps_.push_back(key);
     }
     static void mouse_button(GLFWwindow* window, int /*button*/, int action, int /*modifiers*/) {
         if (action == GLFW_RELEASE) of(window).last_click_s_ = monotonic_s();
@@ -152,8 +154,10 @@ Window::~Window() {
 void Window::describe_display(GLFWmonitor* monitor, bool windowed) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     refresh_hz_ = mode != nullptr ? std::max(0, mode->refreshRate) : 0;
-    display_ = fmt::format("{} {} {} Hz", glfwGetMonitorName(monitor), text_of(size_of(monitor)),
-                           refresh_hz_);
+    const std::string rate =
+        refresh_hz_ > 0.0 ? fmt::format("{} Hz", refresh_hz_) : "unknown refresh rate";
+    display_ =
+        fmt::format("{} {} {}", glfwGetMonitorName(monitor), text_of(size_of(monitor)), rate);
     if (windowed) display_ += fmt::format(", window {}", text_of(size()));
 }
 
@@ -168,6 +172,8 @@ void Window::wait_for_events(double timeout_s) { glfwWaitEventsTimeout(std::max(
 void Window::poll_events() { glfwPollEvents(); }
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
+
+std::vector<int> Window::take_taps() { return std::exchange(taps_, {}); }
 
 bool Window::take_damage() { return std::exchange(damaged_, false); }
 

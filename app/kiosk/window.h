@@ -54,6 +54,9 @@ class Window {
     void poll_events();
     /// What came in since the last call.
     [[nodiscard]] std::vector<KeyPress> take_keys();
+    /// The keys among them (GLFW_KEY_...), for a second reader: what went down since its last call,
+    /// though it may be up again.
+    [[nodiscard]] std::vector<int> take_taps();
     /// When a mouse button last went up.
     [[nodiscard]] double last_click_s() const { return last_click_s_; }
     /// Whether the system lost what was drawn, so that it must be drawn again; asked once.
@@ -73,6 +76,7 @@ class Window {
     std::string display_;
     double refresh_hz_ = 0.0;
     std::vector<KeyPress> keys_;
+    std::vector<int> taps_;
     double last_click_s_ = 0.0;
     bool damaged_ = false;
 };

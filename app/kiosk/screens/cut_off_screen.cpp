@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <imgui.h>
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include "app/kiosk/screens/screens.h"
 #include "app/kiosk/widgets.h"
@@ -35,6 +38,10 @@ std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts, const CutOffSessi
         const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
         ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
         if (wide_button(label, width, 2.1F, false)) choice = CutOffChoice::kAbandon;
+        if (ImGui::IsKeyPressed(GLFW_KEY_A, false)) choice = CutOffChoice::kAbandon;
+        gap(0.2F);
+        hint(fonts,
+             session.refusal.empty() ? "Keys: Enter continues, A abandons." : "Key: A abandons.");
     });
     return choice;
 }

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include <charconv>
 
@@ -23,15 +27,22 @@ void age_field(FormDraft& draft, const FormProblems& problems) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Age in years");
     ImGui::SameLine();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (draft.focus_age) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(4.0F * ImGui::GetFontSize());
     ImGui::InputText("##age", &draft.age, ImGuiInputTextFlags_CharsDecimal);
+    if (ImGui::IsItemActive()) {
+        draft.focus_age = false;
+        // Leaves the field, so that the arrow keys move on.
+        if (ImGui::IsKeyPressed(GLFW_KEY_DOWN) || ImGui::IsKeyPressed(GLFW_KEY_TAB)) {
+            ImGui::ClearActiveID();
+        }
+    }
     if (draft.submitted && !problems.age.empty()) complaint(problems.age);
 }
 
 void gender_field(FormDraft& draft) {
     const auto choice = [&draft](const char* label, Gender gender) {
-        if (ImGui::RadioButton(label, draft.gender == gender)) draft.gender = gender;
+        if (radio(label, draft.gender == gender)) draft.gender = gender;
     };
     const float apart = ImGui::GetFontSize() * 1.2F;
     paragraph("Gender");
@@ -39,9 +50,9 @@ void gender_field(FormDraft& draft) {
     ImGui::SameLine(0.0F, apart);
     choice("Male", Gender::kMale);
     ImGui::SameLine(0.0F, apart);
-    choice("Rather not say", Gender::kUnsaid);
-    ImGui::SameLine(0.0F, apart);
     choice("In my own words", Gender::kOwnWords);
+    ImGui::SameLine(0.0F, apart);
+    choice("Rather not say", Gender::kRatherNotSay);
     if (draft.gender == Gender::kOwnWords) {
         ImGui::SetNextItemWidth(-1.0F);
         ImGui::InputText("##gender", &draft.own_words);
@@ -64,7 +75,7 @@ Form form_of(const FormDraft& draft) {
 
 std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
     std::optional<Event> event;
-    card("##form", 34.0F, [&] {
+    card("##form", 36.0F, [&] {
         const FormProblems problems = problems_of(form_of(draft));
         heading(fonts, "About you");
         age_field(draft, problems);
@@ -77,7 +88,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
         yes_no("purpose", "Had you heard what this study is about before today?",
                draft.heard_of_purpose);
         gap(0.2F);
-        ImGui::Checkbox("I agree to take part", &draft.consent);
+        tick("I agree to take part", draft.consent);
         hint(fonts,
              "Your answers are stored without your name. You may stop at any time: tell the person "
              "in charge.");
@@ -86,6 +97,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
         if (primary_button("Continue")) {
             draft.submitted = true;
             if (problems.none()) event = FormSubmitted{form_of(draft)};
+            draft.focus_age = !problems.age.empty();
         }
     });
     return event;

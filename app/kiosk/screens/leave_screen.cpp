@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <imgui.h>
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include "app/kiosk/screens/screens.h"
 #include "app/kiosk/widgets.h"
@@ -21,7 +24,12 @@ std::optional<Event> leave_screen(const Fonts& fonts, bool session_open) {
         if (wide_button("Leave", width, 2.1F, false)) event = LeaveConfirmed{};
         ImGui::SameLine(0.0F, space);
         if (wide_button("Stay", width, 2.1F, true)) event = LeaveCancelled{};
-        ImGui::SetItemDefaultFocus();
+        if (enter_pressed() || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+            event = LeaveCancelled{};
+        }
+        if (ImGui::IsKeyPressed(GLFW_KEY_L, false)) event = LeaveConfirmed{};
+        gap(0.2F);
+        hint(fonts, "Keys: L leaves, Enter stays.");
     });
     return event;
 }

@@ -16,17 +16,18 @@ namespace obscura::app::kiosk {
 
 [[nodiscard]] std::optional<Event> start_screen(const Fonts& fonts);
 
-enum class Gender { kUnsaid, kFemale, kMale, kOwnWords };
+enum class Gender { kUnanswered, kFemale, kMale, kOwnWords, kRatherNotSay };
 
 /// The form as it is being filled in.
 struct FormDraft {
     std::string age;
-    Gender gender = Gender::kUnsaid;
+    Gender gender = Gender::kUnanswered;
     std::string own_words;
     std::optional<bool> normal_vision;
     std::optional<bool> heard_of_purpose;
     bool consent = false;
     bool submitted = false;  ///< once; from then on complaints are shown
+    bool focus_age = true;   ///< the keyboard is to write the age
 };
 [[nodiscard]] Form form_of(const FormDraft& draft);
 [[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft);

@@ -9,9 +9,10 @@ std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& stu
     std::optional<Event> event;
     card("##thanks", 30.0F, [&] {
         heading(fonts, "Thank you");
-        paragraph(study.thanks.empty()
-                      ? "That was the last pair. Please tell the person in charge that you are done."
-                      : study.thanks);
+        paragraph(
+            study.thanks.empty()
+                ? "That was the last pair. Please tell the person in charge that you are done."
+                : study.thanks);
         gap(0.2F);
         hint(fonts, "All answers are saved.");
         gap();

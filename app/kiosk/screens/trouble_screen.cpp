@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <imgui.h>
+// Only for the names of the keys.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include "app/kiosk/screens/screens.h"
 #include "app/kiosk/widgets.h"
@@ -20,7 +23,10 @@ std::optional<TroubleChoice> trouble_screen(const Fonts& fonts, const Trouble& t
         if (wide_button("Leave the kiosk", width, 2.1F, false)) choice = TroubleChoice::kLeave;
         ImGui::SameLine(0.0F, space);
         if (wide_button("Try again", width, 2.1F, true)) choice = TroubleChoice::kRetry;
-        ImGui::SetItemDefaultFocus();
+        if (enter_pressed()) choice = TroubleChoice::kRetry;
+        if (ImGui::IsKeyPressed(GLFW_KEY_L, false)) choice = TroubleChoice::kLeave;
+        gap(0.2F);
+        hint(fonts, "Keys: L leaves, Enter tries again.");
     });
     return choice;
 }

@@ -21,7 +21,7 @@ float draw(base::Random& random, float low, float high) {
 /// A blade that rises and bends over outwards (+z); uv cover the leaf texture once.
 Mesh blade(float length, float width, float bend, float cup, int rows) {
     PatchOptions options;
-    options.columns = 4;
+    options.columns = 2;
     options.rows = rows;
     Mesh mesh = patch(options, [&](float u, float v) {
         const float across = (0.5F - u) * 2.0F;
@@ -47,7 +47,7 @@ Mesh palm(std::uint64_t seed, int leaves, float length) {
         const float tilt = glm::mix(0.1F, 0.75F, t) + draw(random, -0.1F, 0.1F);
         const Mesh leaf =
             blade(length * draw(random, 0.75F, 1.1F), 0.075F * draw(random, 0.8F, 1.2F),
-                  draw(random, 0.7F, 1.7F), 0.35F, 10);
+                  draw(random, 0.7F, 1.7F), 0.35F, 9);
         Placement placement;
         placement.transform = glm::rotate(glm::mat4(1.0F), turn, vec3(0.0F, 1.0F, 0.0F)) *
                               glm::rotate(at(0.0F, 0.0F, 0.02F), tilt, vec3(1.0F, 0.0F, 0.0F));
@@ -72,7 +72,7 @@ Mesh bush(std::uint64_t seed, int leaves, float radius) {
         const vec3 centre =
             vec3(0.0F, radius * 0.95F, 0.0F) + out * radius * far_out * vec3(1.0F, 1.1F, 1.0F);
         const Mesh leaf = blade(draw(random, 0.13F, 0.21F), draw(random, 0.065F, 0.1F),
-                                draw(random, 0.3F, 1.3F), 0.3F, 4);
+                                draw(random, 0.3F, 1.3F), 0.3F, 3);
         Placement placement;
         placement.transform =
             glm::rotate(glm::translate(glm::mat4(1.0F), centre), turn + draw(random, -0.7F, 0.7F),
@@ -122,14 +122,14 @@ Mesh pot() {
         {0.0F, 0.0F},    {0.19F, 0.0F},  {0.2F, 0.02F},   {0.205F, 0.06F}, {0.235F, 0.2F},
         {0.27F, 0.35F},  {0.29F, 0.46F}, {0.33F, 0.47F},  {0.34F, 0.5F},   {0.34F, 0.55F},
         {0.325F, 0.57F}, {0.3F, 0.565F}, {0.285F, 0.54F}, {0.28F, 0.5F},   {0.0F, 0.49F}};
-    return revolve(profile, 32);
+    return revolve(profile, 24);
 }
 
 Mesh amphora() {
     std::vector<vec2> profile{
         {0.0F, 0.0F}, {0.14F, 0.0F}, {0.15F, 0.02F}, {0.13F, 0.05F}, {0.1F, 0.08F}};
-    for (int i = 0; i <= 14; ++i) {
-        const float t = static_cast<float>(i) / 14.0F;
+    for (int i = 0; i <= 11; ++i) {
+        const float t = static_cast<float>(i) / 11.0F;
         const float belly = std::sin(glm::pi<float>() * std::pow(t, 0.8F));
         profile.emplace_back(0.09F + 0.19F * belly * (1.0F - 0.12F * t), 0.09F + 0.55F * t);
     }
@@ -138,7 +138,7 @@ Mesh amphora() {
           vec2(0.1F, 0.83F), vec2(0.075F, 0.8F), vec2(0.06F, 0.7F), vec2(0.0F, 0.68F)}) {
         profile.push_back(point);
     }
-    Mesh vase = revolve(profile, 28);
+    Mesh vase = revolve(profile, 20);
     for (const float side : {-1.0F, 1.0F}) {
         std::vector<vec3> path;
         for (int i = 0; i <= 12; ++i) {
@@ -155,12 +155,12 @@ Mesh amphora() {
 
 Mesh chain(float length) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 10))
+    for (const vec2& point : circle(1.0F, 8))
         loop.emplace_back(0.017F * point.x, 0.03F * point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh link =
-        sweep(circle(0.0055F, 5), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.0055F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     Mesh whole;
     constexpr float kStep = 0.047F;
     const int links = static_cast<int>(length / kStep);

@@ -91,10 +91,11 @@ Mesh rectangle(vec3 origin, vec3 edge_u, vec3 edge_v, float cell_m) {
     return mesh;
 }
 
-Mesh arch_wall(float x0, float x1, float centre_x, float springing, float radius, float top) {
+Mesh arch_wall(float x0, float x1, float centre_x, float springing, float radius, float top,
+               int rows) {
     PatchOptions options;
-    options.columns = 32;
-    options.rows = 6;
+    options.columns = 24;
+    options.rows = rows;
     const vec2 centre(centre_x, springing);
     // The rays also go through the rectangle's two upper corners, so that the border has no
     // chamfer.

@@ -87,8 +87,8 @@ float lion(vec2 p) {
 void build_relief(Site& site) {
     const glm::mat4 frame = at(0.0F, kCentreY, -kHalfLength + 0.03F);
     PatchOptions options;
-    options.columns = 180;
-    options.rows = 84;
+    options.columns = 140;
+    options.rows = 58;
     options.closed_u = true;
     options.size_m = {glm::two_pi<float>() * kRadius, kRadius};
     Mesh mask = patch(options, [](float u, float v) {

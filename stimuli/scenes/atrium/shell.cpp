@@ -114,7 +114,7 @@ void build_ceiling(Site& site, float side, float boards_y, float inner_x, float 
 /// Barrel tiles over a gallery: waves across, steps down the slope.
 void build_roof(Site& site, float side, std::uint32_t seed) {
     constexpr float kPitch = 0.23F;
-    constexpr float kCourse = 0.36F;
+    constexpr float kCourse = 0.44F;
     constexpr float kInner = 2.9F;
     constexpr float kOuter = 7.3F;
     constexpr float kRise = 1.75F;
@@ -122,28 +122,35 @@ void build_roof(Site& site, float side, std::uint32_t seed) {
     const int rolls = static_cast<int>(length / kPitch);
     const int courses = static_cast<int>((kOuter - kInner) / kCourse);
     PatchOptions options;
-    options.columns = rolls * 8;
-    options.rows = courses;
+    options.columns = rolls * 5;
     options.size_m = {length, kOuter - kInner};
+    options.rows = 1;
+    const auto place = [&](int row, float u, float v) {
+        const float roll = u * static_cast<float>(rolls);
+        const int index = static_cast<int>(roll + 0.01F);
+        const float wave = 0.058F * std::abs(std::sin(glm::pi<float>() * roll));
+        const float slip = 0.03F * (hash_unit(index, row, 0, seed) - 0.5F);
+        const float t = (static_cast<float>(row) + v * 1.12F) / static_cast<float>(courses);
+        const float along = (u - 0.5F) * length;
+        const float out = kInner + (kOuter - kInner) * t + slip * (1.0F - v);
+        const float y = kEaves + 0.03F + kRise * t + wave + 0.035F * (1.0F - v);
+        return vec3(side * out, y, side * along);
+    };
     for (int row = 0; row < courses; ++row) {
-        options.rows = 1;
-        const Mesh course = patch(options, [&](float u, float v) {
-            const float roll = u * static_cast<float>(rolls);
-            const int index = static_cast<int>(roll + 0.01F);
-            const float wave = 0.055F * std::abs(std::sin(glm::pi<float>() * roll));
-            const float slip = 0.03F * (hash_unit(index, row, 0, seed) - 0.5F);
-            const float t = (static_cast<float>(row) + v * 1.12F) / static_cast<float>(courses);
-            const float along = (u - 0.5F) * length;
-            const float out = kInner + (kOuter - kInner) * t + slip * (1.0F - v);
-            const float y = kEaves + 0.03F + kRise * t + wave + 0.035F * (1.0F - v);
-            return vec3(side * out, y, side * along);
-        });
         // u along side * z, v along side * x: z cross x is +y.
-        site.put(Surface::kRoof, course, glm::mat4(1.0F), seed + static_cast<std::uint32_t>(row),
-                 shade(seed + static_cast<std::uint32_t>(row), 0.1F));
+        const Mesh course = patch(options, [&](float u, float v) { return place(row, u, v); });
+        const auto own = seed + static_cast<std::uint32_t>(row);
+        site.put(Surface::kRoof, course, glm::mat4(1.0F), own, shade(own, 0.1F));
     }
+    // The lowest tiles are bedded in mortar, a little behind their edge.
+    options.size_m.y = 0.12F;
+    const Mesh mortar = patch(options, [&](float u, float v) {
+        const vec3 edge = place(0, u, 0.04F);
+        return vec3(edge.x, glm::mix(kEaves, edge.y - 0.004F, v), edge.z);
+    });
+    site.put(Surface::kPlaster, mortar, glm::mat4(1.0F), seed + 30U, vec3(0.8F));
     // Closed below the tiles, with rafter ends under the eaves.
-    const vec3 low(side * (kInner + 0.06F), kEaves, 0.0F);
+    const vec3 low(side * (kInner - 0.03F), kEaves, 0.0F);
     const vec3 high(side * kOuter, kEaves + kRise - 0.02F, 0.0F);
     const vec3 along = glm::normalize(high - low);
     const vec3 up = side * glm::cross(vec3(0.0F, 0.0F, 1.0F), along);

@@ -14,6 +14,13 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
+/// A colour picked by eye, decoded once.
+template <std::uint32_t kSrgb>
+const vec3& colour() {
+    static const vec3 linear = linear_from_srgb(kSrgb);
+    return linear;
+}
+
 /// Where a point lies in a wall of blocks: distance to the block's nearest edge, and its id.
 struct Masonry {
     float edge_m = 0.0F;
@@ -62,15 +69,14 @@ Texel limestone(vec2 uv, float cells, std::uint32_t seed) {
     const vec2 p = uv * cells;
     const float broad = fbm(p, seed, 4, period);
     const float fine = fbm(p * 8.0F, seed + 1, 3, period * 8);
-    const Cell pit = cellular(p * 10.0F, seed + 2, period * 10);
-    const float pitted = glm::smoothstep(0.05F, 0.35F, broad + 0.15F);
-    const float hole = pitted * (1.0F - glm::smoothstep(0.08F, 0.28F, pit.nearest)) *
-                       (unit_of(pit.id, 1) > 0.55F ? 1.0F : 0.0F);
+    const float clustered = glm::smoothstep(0.0F, 0.5F, broad + 0.3F * fine);
+    const float grains = value_noise(p * 22.0F, seed + 2, period * 22);
+    const float hole = clustered * glm::smoothstep(0.74F, 0.86F, grains);
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0xb9a98c), linear_from_srgb(0xd3c6ab),
+    texel.albedo = glm::mix(colour<0x9c8c72>(), colour<0xc4b595>(),
                             glm::clamp(0.5F + 0.9F * broad, 0.0F, 1.0F));
-    texel.albedo *= (1.0F + 0.13F * fine) * (1.0F - 0.4F * hole);
-    texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.004F * hole;
+    texel.albedo *= (1.0F + 0.13F * fine) * (1.0F - 0.35F * hole);
+    texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.0022F * hole;
     return texel;
 }
 
@@ -86,10 +92,10 @@ Texel ashlar(vec2 uv) {
     const float edge = block.edge_m - chipped;
     const float inside = glm::smoothstep(0.004F, 0.018F, edge);
     Texel texel = limestone(uv, 8.0F, 31);
-    texel.albedo *= (0.80F + 0.34F * tone) *
+    texel.albedo *= (0.66F + 0.48F * tone) *
                     glm::mix(vec3(1.03F, 0.99F, 0.92F), vec3(0.98F, 1.0F, 1.03F), warmth);
-    texel.albedo *= 0.88F + 0.12F * glm::smoothstep(0.01F, 0.06F, edge);
-    const vec3 mortar = linear_from_srgb(0x9d917d) * (1.0F + 0.25F * wobble.x);
+    texel.albedo *= 0.80F + 0.20F * glm::smoothstep(0.008F, 0.06F, edge);
+    const vec3 mortar = colour<0x6f6555>() * (1.0F + 0.25F * wobble.x);
     texel.albedo = glm::mix(mortar, texel.albedo, inside);
     const float pillow = glm::smoothstep(0.0F, 0.045F, edge);
     texel.height_m = glm::mix(
@@ -104,10 +110,10 @@ Texel brickwork(vec2 uv, vec2 size_m, glm::ivec2 counts) {
     const float tone = unit_of(brick.id, 0);
     const glm::ivec2 period(64, 32);
     const float grit = fbm(uv * vec2(period), 41, 3, period);
-    vec3 clay = glm::mix(linear_from_srgb(0x8f5a41), linear_from_srgb(0xb98263), tone);
-    clay = glm::mix(clay, linear_from_srgb(0x7a5546), unit_of(brick.id, 1) > 0.8F ? 0.7F : 0.0F);
+    vec3 clay = glm::mix(colour<0x8f5a41>(), colour<0xb98263>(), tone);
+    clay = glm::mix(clay, colour<0x7a5546>(), unit_of(brick.id, 1) > 0.8F ? 0.7F : 0.0F);
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0xa89a86), clay, inside) * (1.0F + 0.22F * grit);
+    texel.albedo = glm::mix(colour<0xa89a86>(), clay, inside) * (1.0F + 0.22F * grit);
     texel.height_m = -0.016F + inside * (0.006F + 0.0015F * grit);
     return texel;
 }
@@ -128,12 +134,13 @@ Texel plaster(vec2 uv) {
         (1.0F - glm::smoothstep(0.0F, 0.012F, crack_cell.second - crack_cell.nearest)) *
         glm::smoothstep(-0.1F, 0.25F, broad + 0.5F * medium);
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0xc2a37e), linear_from_srgb(0xdcc6a3),
+    texel.albedo = glm::mix(colour<0xb08f69>(), colour<0xcdb48f>(),
                             glm::clamp(0.5F + 0.7F * broad + 0.35F * medium, 0.0F, 1.0F));
     const float repaired = glm::smoothstep(0.18F, 0.2F, fbm(p + 13.0F, 56, 3, period));
-    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0xcbb89b), 0.6F * repaired);
+    texel.albedo = glm::mix(texel.albedo, colour<0xcbb89b>(), 0.6F * repaired);
     texel.albedo *= 1.0F + 0.06F * fine - 0.35F * crack + 0.12F * lip;
     texel.height_m = 0.003F * medium + 0.0006F * fine - 0.002F * crack + 0.001F * repaired;
+    if (gone <= 0.0F) return texel;
     const Texel brick = brickwork(uv, size_m, {32, 52});
     texel.albedo = glm::mix(texel.albedo, brick.albedo, gone);
     texel.height_m = glm::mix(texel.height_m, brick.height_m, gone);
@@ -159,11 +166,11 @@ Texel floor_tiles(vec2 uv) {
     const float scratch =
         glm::smoothstep(0.3F, 0.6F, fbm(uv * vec2(16.0F, 96.0F), 65 + (id & 1U), 2, {16, 96}));
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0xa3937a), linear_from_srgb(0xc9bb9f),
-                            glm::clamp(0.5F + broad, 0.0F, 1.0F));
+    texel.albedo =
+        glm::mix(colour<0x8d7d66>(), colour<0xbaa98b>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     texel.albedo *= (0.86F + 0.24F * unit_of(id, 0)) * (1.0F + 0.08F * fine - 0.08F * scratch);
     texel.albedo *= 1.0F - 0.18F * vein;
-    texel.albedo = glm::mix(linear_from_srgb(0x6f6455), texel.albedo, inside);
+    texel.albedo = glm::mix(colour<0x6f6455>(), texel.albedo, inside);
     texel.height_m = glm::mix(-0.006F, 0.0012F * broad + 0.0004F * fine, inside);
     return texel;
 }
@@ -176,7 +183,7 @@ Texel wood(vec2 uv) {
     const float fibre = fbm(p * vec2(160.0F, 6.0F), 83, 2, {160, 6});
     const float split = glm::smoothstep(0.38F, 0.5F, fbm(p * vec2(20.0F, 2.0F), 84, 3, {20, 2}));
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0x4d3521), linear_from_srgb(0x8a6845),
+    texel.albedo = glm::mix(colour<0x4d3521>(), colour<0x8a6845>(),
                             glm::clamp(0.5F + 0.9F * grain, 0.0F, 1.0F));
     texel.albedo *= (1.0F + 0.2F * fibre + 0.2F * bend) * (1.0F - 0.6F * split);
     texel.height_m = 0.0012F * grain + 0.0006F * fibre - 0.004F * split;
@@ -189,30 +196,51 @@ Texel clay(vec2 uv) {
     const float fine = fbm(uv * 64.0F, 102, 3, {64, 64});
     const float lichen = glm::smoothstep(0.25F, 0.4F, fbm(uv * 16.0F, 103, 4, {16, 16}));
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0x8e5238), linear_from_srgb(0xb97a55),
-                            glm::clamp(0.5F + broad, 0.0F, 1.0F));
-    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0x9a8e74), 0.55F * lichen);
+    texel.albedo =
+        glm::mix(colour<0x8e5238>(), colour<0xb97a55>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
+    texel.albedo = glm::mix(texel.albedo, colour<0x9a8e74>(), 0.55F * lichen);
     texel.albedo *= 1.0F + 0.15F * fine;
     texel.height_m = 0.001F * broad + 0.0008F * fine;
     return texel;
 }
 
-/// Woven cloth with a woven-in diamond figure; near white, for the parts' tint to dye.
+/// Heavy woven cloth; near white, for the parts' tint to dye.
 Texel cloth(vec2 uv) {
-    const vec2 thread = uv * 180.0F;
-    const float weave =
-        0.5F + 0.5F * std::sin(thread.x * 6.2831853F) * std::sin(thread.y * 6.2831853F);
-    const vec2 figure = glm::abs(glm::fract(uv * 4.0F) - 0.5F);
-    const float diamond = std::abs(figure.x + figure.y - 0.36F);
-    const float dot = glm::length(figure);
-    const float pattern = std::max(1.0F - glm::smoothstep(0.03F, 0.05F, diamond),
-                                   1.0F - glm::smoothstep(0.09F, 0.11F, dot));
+    const vec2 thread = uv * 120.0F * 6.2831853F;
+    const float weave = 0.5F + 0.5F * std::sin(thread.x) * std::sin(thread.y);
     const float faded = fbm(uv * 3.0F, 111, 4, {3, 3});
-    const float slub = fbm(uv * vec2(12.0F, 120.0F), 112, 2, {12, 120});
+    const float slub = fbm(uv * vec2(96.0F, 6.0F), 112, 2, {96, 6});
     Texel texel;
-    texel.albedo = vec3(0.72F + 0.16F * faded + 0.05F * slub) * (0.86F + 0.14F * weave);
-    texel.albedo *= 1.0F - 0.22F * pattern;
-    texel.height_m = 0.0004F * weave + 0.0003F * slub + 0.0003F * pattern;
+    texel.albedo = vec3(0.80F + 0.2F * faded + 0.08F * slub) * (0.88F + 0.12F * weave);
+    texel.height_m = 0.0005F * weave + 0.0004F * slub;
+    return texel;
+}
+
+/// Distance inside (positive) the figure of a banner, of its width: a ring around a star of eight.
+float emblem(vec2 q) {
+    const float r = glm::length(q);
+    const float star = 0.215F + 0.085F * std::cos(8.0F * std::atan2(q.x, q.y));
+    return std::max(std::max(0.022F - std::abs(r - 0.375F), 0.008F - std::abs(r - 0.335F)),
+                    std::min(star - r, r - 0.07F));
+}
+
+/// Banners of 1.05 m x 3 m: red, green and blue, with borders and a figure in gold thread.
+Texel banner(vec2 uv) {
+    const int which = std::min(2, static_cast<int>(uv.x * 3.0F));
+    const vec2 place(uv.x * 3.0F - static_cast<float>(which), uv.y * (3.0F / 1.05F));
+    const float edge = std::min(place.x, 1.0F - place.x);
+    const float below = 3.0F / 1.05F - place.y;
+    const float frame = 0.016F - std::min(std::abs(edge - 0.085F),
+                                          std::abs(below - 0.12F) + (edge < 0.085F ? 1.0F : 0.0F));
+    const float lower = below > 0.1F ? frame : -1.0F;
+    const float tooth = std::abs(glm::fract(place.x * 9.0F) - 0.5F) * 0.09F;
+    const float hem = 0.045F + tooth - below;
+    const float sign = std::max(std::max(lower, hem), emblem(place - vec2(0.5F, 2.16F)));
+    const float gold = glm::smoothstep(-0.003F, 0.003F, sign);
+    Texel texel = cloth(vec2(uv.x * 3.0F, uv.y * 3.0F));
+    const vec3 dye = which == 0 ? kDyeRed : (which == 1 ? kDyeGreen : kDyeBlue);
+    texel.albedo *= glm::mix(dye, kDyeGold, gold);
+    texel.height_m += 0.0012F * gold;
     return texel;
 }
 
@@ -224,9 +252,9 @@ Texel leaf(vec2 uv) {
     const float rib = (1.0F - glm::smoothstep(0.0F, 0.16F, ribs)) * (1.0F - across);
     const float mottle = fbm(uv * 8.0F, 121, 4, {8, 8});
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0x3d5a26), linear_from_srgb(0x6d8a41),
+    texel.albedo = glm::mix(colour<0x3d5a26>(), colour<0x6d8a41>(),
                             glm::clamp(0.45F + 0.6F * mottle, 0.0F, 1.0F));
-    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0x9aa765), 0.6F * middle + 0.25F * rib);
+    texel.albedo = glm::mix(texel.albedo, colour<0x9aa765>(), 0.6F * middle + 0.25F * rib);
     texel.height_m = 0.0006F * middle + 0.0003F * rib + 0.0003F * mottle;
     return texel;
 }
@@ -235,7 +263,7 @@ Texel soil(vec2 uv) {
     const Cell clod = cellular(uv * 24.0F, 131, {24, 24});
     const float fine = fbm(uv * 64.0F, 132, 2, {64, 64});
     Texel texel;
-    texel.albedo = linear_from_srgb(0x43342a) * (0.8F + 0.5F * unit_of(clod.id, 0) + 0.3F * fine);
+    texel.albedo = colour<0x43342a>() * (0.8F + 0.5F * unit_of(clod.id, 0) + 0.3F * fine);
     texel.height_m = -0.006F * clod.nearest + 0.001F * fine;
     return texel;
 }
@@ -243,8 +271,8 @@ Texel soil(vec2 uv) {
 Texel iron(vec2 uv) {
     const float rust = fbm(uv * 16.0F, 141, 4, {16, 16});
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0x2c2a29), linear_from_srgb(0x5a4030),
-                            glm::smoothstep(0.0F, 0.5F, rust));
+    texel.albedo =
+        glm::mix(colour<0x2c2a29>(), colour<0x5a4030>(), glm::smoothstep(0.0F, 0.5F, rust));
     texel.height_m = 0.0006F * rust;
     return texel;
 }
@@ -264,7 +292,7 @@ struct Finish {
 Texel stone(vec2 uv) { return limestone(uv, 6.0F, 11); }
 Texel lamp_glass(vec2 uv) {
     Texel texel;
-    texel.albedo = linear_from_srgb(0xd9c79a) * (1.0F + 0.15F * fbm(uv * 4.0F, 151, 3, {4, 4}));
+    texel.albedo = colour<0xd9c79a>() * (1.0F + 0.15F * fbm(uv * 4.0F, 151, 3, {4, 4}));
     return texel;
 }
 
@@ -280,6 +308,7 @@ std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
         {"wood", wood, 512, 512, 1.0F, 0.05F, 20.0F, white, false},
         {"roof", clay, 512, 512, 1.0F, 0.04F, 12.0F, white, false},
         {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, white, true},
+        {"banner", banner, 768, 768, 3.15F, 0.02F, 8.0F, white, true},
         {"leaf", leaf, 256, 256, 1.0F, 0.10F, 24.0F, white, true},
         {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F, white, false},
         {"iron", iron, 256, 256, 0.5F, 0.25F, 32.0F, white, false},

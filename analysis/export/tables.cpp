@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/export/tables.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "analysis/text.h"
+#include "renderer/base/error.h"
+
+namespace obscura::analysis {
+namespace {
+
+using Levels = std::vector<std::pair<std::string, std::string>>;
+
+std::string cell_of(const std::string& value) { return value; }
+std::string cell_of(char value) { return {value}; }
+std::string cell_of(bool value) { return value ? "1" : "0"; }
+std::string cell_of(int value) { return std::to_string(value); }
+std::string cell_of(std::int64_t value) { return std::to_string(value); }
+std::string cell_of(std::uint64_t value) { return std::to_string(value); }
+std::string cell_of(double value) { return shortest(value); }
+std::string cell_of(Kind value) { return std::string(to_string(value)); }
+std::string cell_of(SessionState value) { return std::string(to_string(value)); }
+template <typename T>
+std::string cell_of(const std::optional<T>& value) {
+    return value ? cell_of(*value) : std::string();
+}
+
+template <auto kMember>
+std::string of(const auto& record) {
+    return cell_of(record.*kMember);
+}
+template <auto kMember>
+std::string of_trial(const TrialRow& row) {
+    return cell_of(row.trial->*kMember);
+}
+template <auto kMember>
+std::string of_session(const TrialRow& row) {
+    return cell_of(row.session->*kMember);
+}
+template <auto kMember>
+std::string of_shown(const ConditionRow& row) {
+    return cell_of(row.shown.*kMember);
+}
+
+const Levels kYesNo{{"1", "yes"}, {"0", "no"}};
+const Levels kSubjectKinds{{"participant", "a person took part"},
+                           {"simulated", "answers made by a simulated observer, not a person"}};
+const Levels kTrialKinds{{"participant", "an answer of a person that counts"},
+                         {"practice", "a practice trial, never analysed"},
+                         {"catch", "an attention check, never analysed"},
+                         {"simulated", "an answer made by a simulated observer, not a person"}};
+const Levels kStates{{"open", "running, or cut off"},
+                     {"completed", "all conditions answered; only these are analysed"},
+                     {"abandoned", "broken off"}};
+const Levels kValidities{{"low", "constant ambient light only"},
+                         {"moderate", "irradiance from an environment map"},
+                         {"high", "irradiance and a directional light with shadows"}};
+const Levels kSides{{"A", "variant A of the condition"}, {"B", "variant B of the condition"}};
+
+constexpr const char* kUtc = "Time in UTC, ISO 8601";
+constexpr const char* kSha256 = "SHA-256 of the image file, 64 hexadecimal digits";
+constexpr const char* kSeed = "Seed of the study, from which the order was drawn";
+constexpr const char* kSwapped = "Whether variant B was shown first in every pair of the session";
+constexpr const char* kSquare = "Number of the square that gave the order, from 0";
+constexpr const char* kRow = "Row of that square, from 0";
+constexpr const char* kVariant = "Technique and samples of variant ";
+
+}  // namespace
+
+const ExportTable<ParticipantRecord>& participants_export() {
+    using R = ParticipantRecord;
+    static const ExportTable<R> table{
+        "participants.csv",
+        {
+            {"participant_id",
+             "Name of the participant, made by the program",
+             {},
+             "",
+             of<&R::participant_id>},
+            {"kind", "Who answered", kSubjectKinds, "", of<&R::kind>},
+            {"age_years",
+             "Age as given in the form; empty: not said",
+             {},
+             "years",
+             of<&R::age_years>},
+            {"gender",
+             "Gender in the participant's own words; empty: not said",
+             {},
+             "",
+             of<&R::gender>},
+            {"normal_vision", "Normal or corrected-to-normal vision; empty: not said", kYesNo, "",
+             of<&R::normal_vision>},
+            {"naive", "Naive to the purpose of the study; empty: not said", kYesNo, "",
+             of<&R::naive>},
+            {"consent", "Consent to take part", kYesNo, "", of<&R::consent>},
+            {"created_utc",
+             std::string(kUtc) + ", when the form was sent",
+             {},
+             "",
+             of<&R::created_utc>},
+        }};
+    return table;
+}
+
+const ExportTable<SessionRecord>& sessions_export() {
+    using R = SessionRecord;
+    static const ExportTable<R> table{
+        "sessions.csv",
+        {
+            {"session_id", "Name of the session, made by the program", {}, "", of<&R::session_id>},
+            {"participant_id",
+             "Participant, as in participants.csv",
+             {},
+             "",
+             of<&R::participant_id>},
+            {"kind", "Who answered", kSubjectKinds, "", of<&R::kind>},
+            {"study", "Name of the study", {}, "", of<&R::study>},
+            {"study_sha256", "SHA-256 of the study file", {}, "", of<&R::study_sha256>},
+            {"order",
+             "How conditions are ordered over participants",
+             {{"latin-square", "random Latin squares"},
+              {"williams", "Williams designs"},
+              {"random", "a random permutation for each participant"},
+              {"fixed", "the order of the study file"}},
+             "",
+             of<&R::order>},
+            {"seed", kSeed, {}, "", of<&R::seed>},
+            {"slot", "Place in the sequence of orders, from 0", {}, "", of<&R::slot>},
+            {"latin_square", kSquare, {}, "", of<&R::latin_square>},
+            {"latin_row", kRow, {}, "", of<&R::latin_row>},
+            {"swapped", kSwapped, kYesNo, "", of<&R::swapped>},
+            {"condition_count",
+             "Answers that complete the session",
+             {},
+             "",
+             of<&R::condition_count>},
+            {"state", "How the session ended", kStates, "", of<&R::state>},
+            {"started_utc", std::string(kUtc) + ", start", {}, "", of<&R::started_utc>},
+            {"ended_utc", std::string(kUtc) + ", end; empty while open", {}, "", of<&R::ended_utc>},
+            {"software", "Name and version of the program", {}, "", of<&R::software>},
+            {"operating_system", "Operating system", {}, "", of<&R::operating_system>},
+            {"gpu_renderer", "Renderer string of the OpenGL driver", {}, "", of<&R::gpu_renderer>},
+            {"display", "Monitor, its resolution and refresh rate", {}, "", of<&R::display>},
+            {"refresh_hz",
+             "Refresh rate of the monitor; 0: not known",
+             {},
+             "Hz",
+             of<&R::refresh_hz>},
+        }};
+    return table;
+}
+
+const ExportTable<TrialRow>& trials_export() {
+    using T = TrialRecord;
+    using S = SessionRecord;
+    static const ExportTable<TrialRow> table{
+        "trials.csv",
+        {
+            {"participant_id",
+             "Participant, as in participants.csv",
+             {},
+             "",
+             of_session<&S::participant_id>},
+            {"session_id", "Session, as in sessions.csv", {}, "", of_trial<&T::session_id>},
+            {"trial_index",
+             "Place of the trial in the session, from 0",
+             {},
+             "",
+             of_trial<&T::trial_index>},
+            {"condition", "Name of the condition", {}, "", of_trial<&T::condition>},
+            {"scene", "Scene shown", {}, "", of_trial<&T::scene>},
+            {"validity", "Ecological validity of the scene's lighting", kValidities, "",
+             of_trial<&T::validity>},
+            {"condition_A", kVariant + std::string("A"), {}, "", of_trial<&T::condition_A>},
+            {"condition_B", kVariant + std::string("B"), {}, "", of_trial<&T::condition_B>},
+            {"is_A_selected", "Whether variant A was chosen", kYesNo, "",
+             of_trial<&T::is_A_selected>},
+            {"first_shown", "Which variant was shown first", kSides, "", of_trial<&T::first_shown>},
+            {"response",
+             "Which image was chosen, by the order of showing",
+             {{"first", "the image shown first"}, {"second", "the image shown second"}},
+             "",
+             [](const TrialRow& row) -> std::string {
+                 return row.trial->response_first ? "first" : "second";
+             }},
+            {"response_time (s)",
+             "From the question's appearance to the answer",
+             {},
+             "s",
+             of_trial<&T::response_time_s>},
+            {"grey_ms_measured",
+             "Duration of the grey interval between the images, measured",
+             {},
+             "ms",
+             of_trial<&T::grey_ms_measured>},
+            {"first_view_ms",
+             "How long the first image was seen",
+             {},
+             "ms",
+             of_trial<&T::first_view_ms>},
+            {"second_view_ms",
+             "How long the second image was seen",
+             {},
+             "ms",
+             of_trial<&T::second_view_ms>},
+            {"first_sha256",
+             std::string(kSha256) + ", shown first",
+             {},
+             "",
+             of_trial<&T::first_sha256>},
+            {"second_sha256",
+             std::string(kSha256) + ", shown second",
+             {},
+             "",
+             of_trial<&T::second_sha256>},
+            {"latin_square", kSquare, {}, "", of_session<&S::latin_square>},
+            {"latin_row", kRow, {}, "", of_session<&S::latin_row>},
+            {"swapped", kSwapped, kYesNo, "", of_session<&S::swapped>},
+            {"seed", kSeed, {}, "", of_session<&S::seed>},
+            {"kind", "What the answer is worth", kTrialKinds, "", of_trial<&T::kind>},
+            {"study", "Name of the study", {}, "", of_session<&S::study>},
+            {"hypothesis",
+             "Hypothesis that the condition serves; may be empty",
+             {},
+             "",
+             of_trial<&T::hypothesis>},
+            {"session_state", "How the session ended", kStates, "", of_session<&S::state>},
+            {"first_onset_s",
+             "Onset of the first image since the session began",
+             {},
+             "s",
+             of_trial<&T::first_onset_s>},
+            {"second_onset_s",
+             "Onset of the second image since the session began",
+             {},
+             "s",
+             of_trial<&T::second_onset_s>},
+            {"question_onset_s",
+             "Onset of the question since the session began",
+             {},
+             "s",
+             of_trial<&T::question_onset_s>},
+            {"dropped_frames",
+             "Frames that the display missed during the trial",
+             {},
+             "",
+             of_trial<&T::dropped_frames>},
+            {"answered_utc",
+             std::string(kUtc) + ", of the answer",
+             {},
+             "",
+             of_trial<&T::answered_utc>},
+        }};
+    return table;
+}
+
+const ExportTable<ConditionRow>& conditions_export() {
+    using R = ConditionRow;
+    using T = TrialRecord;
+    static const ExportTable<R> table{
+        "conditions.csv",
+        {
+            {"study", "Name of the study", {}, "", of<&R::study>},
+            {"condition", "Name of the condition", {}, "", of_shown<&T::condition>},
+            {"hypothesis",
+             "Hypothesis that the condition serves; may be empty",
+             {},
+             "",
+             of_shown<&T::hypothesis>},
+            {"scene", "Scene shown", {}, "", of_shown<&T::scene>},
+            {"validity", "Ecological validity of the scene's lighting", kValidities, "",
+             of_shown<&T::validity>},
+            {"condition_A", kVariant + std::string("A"), {}, "", of_shown<&T::condition_A>},
+            {"condition_B", kVariant + std::string("B"), {}, "", of_shown<&T::condition_B>},
+            {"kind", "What the answers are worth", kTrialKinds, "", of<&R::kind>},
+            {"count_A",
+             "Votes for variant A in completed sessions",
+             {},
+             "votes",
+             [](const R& row) { return cell_of(row.votes.a); }},
+            {"count_B",
+             "Votes for variant B in completed sessions",
+             {},
+             "votes",
+             [](const R& row) { return cell_of(row.votes.b); }},
+        }};
+    return table;
+}
+
+std::vector<TrialRow> trial_rows(const StoreContents& contents) {
+    std::map<std::string, const SessionRecord*> sessions;
+    for (const SessionRecord& session : contents.sessions) sessions[session.session_id] = &session;
+    std::vector<TrialRow> rows;
+    for (const TrialRecord& trial : contents.trials) {
+        const auto session = sessions.find(trial.session_id);
+        // The sessions are read before the trials: one begun in between waits for the next export.
+        if (session != sessions.end()) rows.push_back({&trial, session->second});
+    }
+    return rows;
+}
+
+std::vector<ConditionRow> condition_rows(const StoreContents& contents) {
+    std::vector<ConditionRow> rows;
+    for (const TrialRow& row : trial_rows(contents)) {
+        const TrialRecord& trial = *row.trial;
+        const auto same = [&](const ConditionRow& other) {
+            const TrialRecord& shown = other.shown;
+            return other.study == row.session->study && other.kind == trial.kind &&
+                   std::tie(shown.condition, shown.hypothesis, shown.scene, shown.validity,
+                            shown.condition_A, shown.condition_B) ==
+                       std::tie(trial.condition, trial.hypothesis, trial.scene, trial.validity,
+                                trial.condition_A, trial.condition_B);
+        };
+        auto entry = std::find_if(rows.begin(), rows.end(), same);
+        if (entry == rows.end()) {
+            rows.push_back({row.session->study, trial.kind, trial, {}});
+            entry = rows.end() - 1;
+        }
+        if (row.session->state != SessionState::kCompleted) continue;
+        ++(trial.is_A_selected ? entry->votes.a : entry->votes.b);
+    }
+    return rows;
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/store/store.h"
+#include "app/commands/list.h"
+#include "renderer/base/files.h"
+#include "tests/analysis/records_for_test.h"
+#include "tests/analysis/temporary_folder.h"
+
+namespace obscura::app {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ExitCode;
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Ending {
+    ExitCode code = ExitCode::kDone;
+    std::string out;      ///< standard output
+    std::string message;  ///< of the error
+};
+
+class CommandsTest : public testing::Test {
+  protected:
+    void add_session(analysis::Kind kind) const {
+        analysis::Store store("sqlite3://" + file.string(), analysis::Store::Access::kReadWrite);
+        test::add_completed(store, static_cast<int>(store.sessions().size()), kind);
+    }
+
+    [[nodiscard]] Ending run(const Command& command, std::vector<std::string> arguments) const {
+        Globals globals;
+        globals.data = folder.path();
+        CLI::App app;
+        Ending ending;
+        testing::internal::CaptureStdout();
+        try {
+            const auto act = command.attach(app, globals);
+            std::reverse(arguments.begin(), arguments.end());
+            app.parse(arguments);
+            ending.code = act();
+        } catch (const CLI::ParseError& error) {
+            ending = {ExitCode::kBadInput, "", error.what()};
+        } catch (const base::Error& error) {
+            ending = {error.code(), "", error.what()};
+        }
+        ending.out = testing::internal::GetCapturedStdout();
+        return ending;
+    }
+
+    test::TemporaryFolder folder;
+    fs::path file = folder / "responses.sqlite";
+};
+
+const std::string kPublished = OBSCURA_SOURCE_DIR "/analysis/data/jakobsen2010.csv";
+
+TEST_F(CommandsTest, AnalyzePrintsATableOrJsonAndWritesBoth) {
+    const fs::path out = folder / "reports";
+    const Ending table = run(analyze_command(), {"--counts", kPublished, "--out", out.string()});
+    EXPECT_EQ(table.code, ExitCode::kDone) << table.message;
+    EXPECT_EQ(base::read_file(out / "analysis.txt"), table.out);
+    const Ending json = run(analyze_command(), {"--counts", kPublished, "--json"});
+    EXPECT_EQ(base::read_file(out / "analysis.json"), json.out);
+    EXPECT_NEAR(nlohmann::json::parse(json.out)["conditions"][2]["p_holm"].get<double>(), .137415,
+                1e-6);
+}
+
+TEST_F(CommandsTest, AnalyzeReadsTheStoreOfTheDataFolder) {
+    add_session(analysis::Kind::kParticipant);
+    add_session(analysis::Kind::kSimulated);
+    add_session(analysis::Kind::kSimulated);
+    EXPECT_THAT(run(analyze_command(), {}).out, HasSubstr("1 participants, 7 conditions"));
+    EXPECT_THAT(run(analyze_command(), {"--kind", "simulated"}).out,
+                AllOf(HasSubstr("2 simulated observers"), HasSubstr("SIMULATED DATA")));
+}
+
+TEST_F(CommandsTest, AnalyzePointsToSimulatedAnswersWhereThereAreNoOthers) {
+    add_session(analysis::Kind::kSimulated);
+    const Ending ending = run(analyze_command(), {});
+    EXPECT_EQ(ending.code, ExitCode::kBadInput);
+    EXPECT_THAT(ending.message, HasSubstr("--kind simulated analyses those"));
+}
+
+TEST_F(CommandsTest, BadInputEndsWithTwoAndWritesNothing) {
+    const fs::path votes = folder / "votes.csv";
+    base::write_file_atomically(votes, "condition,votes\n");
+    const fs::path out = folder / "out";
+    fs::create_directory(out);
+    const std::string to = out.string();
+    for (const auto& arguments : std::vector<std::vector<std::string>>{
+             {"--out", to},  // no store in the data folder
+             {"--counts", votes.string(), "--out", to},
+             {"--counts", "/nowhere.csv", "--out", to},
+             {"--counts", kPublished, "--kind", "simulated", "--out", to},
+             {"--db", "sqlite3://" + votes.string(), "--out", to},
+             {"--kind", "practice", "--out", to},
+             {"--study", "another", "--out", to},
+             {"--counts", kPublished, "--out", votes.string()},
+         }) {
+        const Ending ending = run(analyze_command(), arguments);
+        EXPECT_EQ(ending.code, ExitCode::kBadInput) << testing::PrintToString(arguments);
+        EXPECT_FALSE(ending.message.empty());
+    }
+    EXPECT_TRUE(fs::is_empty(out));
+    EXPECT_FALSE(fs::exists(file)) << "reading must make no store";
+}
+
+TEST_F(CommandsTest, ExportWritesFilesAndRefusesUnknownFormats) {
+    const std::string to = (folder / "export").string();
+    EXPECT_EQ(run(export_command(), {"--out", to}).code, ExitCode::kBadInput) << "no store";
+    add_session(analysis::Kind::kParticipant);
+    const Ending unknown = run(export_command(), {"--out", to, "--format", "xlsx"});
+    EXPECT_EQ(unknown.code, ExitCode::kBadInput);
+    EXPECT_THAT(unknown.message, AllOf(HasSubstr("--format"), HasSubstr("csv")));
+    EXPECT_FALSE(fs::exists(to));
+    EXPECT_EQ(run(export_command(), {}).code, ExitCode::kBadInput) << "--out is needed";
+    EXPECT_EQ(run(export_command(), {"--out", to}).code, ExitCode::kDone);
+    EXPECT_TRUE(fs::exists(fs::path(to) / "data_dictionary.json"));
+    EXPECT_EQ(run(export_command(), {"--out", to}).code, ExitCode::kBadInput) << "they are there";
+    EXPECT_EQ(run(export_command(), {"--out", to, "--force"}).code, ExitCode::kDone);
+}
+
+}  // namespace
+}  // namespace obscura::app

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "analysis/store/store.h"
+#include "app/kiosk/clock.h"
+#include "app/kiosk/recording.h"
+#include "renderer/base/error.h"
+#include "tests/kiosk/small_study.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+analysis::TrialRecord trial(int index) {
+    analysis::TrialRecord row;
+    row.session_id = "s-1";
+    row.trial_index = index;
+    row.condition = index == 0 ? "C2" : "C1";
+    return row;
+}
+
+TEST(Journal, KeepsAnAnswerThatCannotBeSavedAndAllAfterItForTheNextTry) {
+    bool full = false;
+    std::vector<int> saved;
+    Journal journal([&](const Row& row) {
+        if (full) throw base::failure("the disk is full");
+        saved.push_back(std::get<analysis::TrialRecord>(row).trial_index);
+    });
+    journal.add({trial(0)});
+    EXPECT_EQ(journal.flush(), std::nullopt);
+    full = true;
+    journal.add({trial(1), trial(2)});
+    EXPECT_EQ(journal.flush(), "the disk is full");
+    EXPECT_EQ(journal.flush(), "the disk is full");
+    EXPECT_EQ(journal.waiting().size(), 2U);
+    full = false;
+    EXPECT_EQ(journal.flush(), std::nullopt);
+    EXPECT_EQ(saved, (std::vector<int>{0, 1, 2}));
+    EXPECT_TRUE(journal.waiting().empty());
+}
+
+TEST(Journal, SaysAllOfAnAnswerThatCouldNotBeSaved) {
+    analysis::TrialRecord row = trial(1);
+    row.first_shown = 'B';
+    row.is_A_selected = true;
+    row.response_time_s = 1.25;
+    const std::string text = describe(row);
+    EXPECT_NE(text.find("pair 2 of session s-1"), std::string::npos) << text;
+    EXPECT_NE(text.find("B shown first, A chosen"), std::string::npos) << text;
+    EXPECT_NE(text.find("1.250 s"), std::string::npos) << text;
+}
+
+/// A store in a folder of its own with one session open.
+class Recording : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(testing::TempDir()) /
+                  (std::string("obscura-recording-") + test->name());
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        store_.emplace("sqlite3://" + (folder_ / "responses.sqlite").string(),
+                       analysis::Store::Access::kReadWrite);
+        study_ = small_study(2);
+        procedure_.emplace(study_, small_plan(study_));
+        journal_.emplace(journal_to(*store_));
+    }
+    void TearDown() override {
+        store_.reset();
+        std::filesystem::remove_all(folder_);
+    }
+
+    void step(double time_s, const Event& event) {
+        last_ = procedure_->step(event, {time_s, utc_text(time_s)});
+        journal_->add(last_);
+        EXPECT_EQ(journal_->flush(), std::nullopt);
+    }
+    void begin() {
+        step(0, ScreenPresented{});
+        step(1, StartPressed{});
+        step(2, ScreenPresented{});
+        step(3, FormSubmitted{{.age_years = 30,
+                               .gender = "",
+                               .normal_vision = {},
+                               .naive = true,
+                               .consent = true}});
+        step(4, ScreenPresented{});
+        step(5, InstructionsRead{});
+        step(6, ScreenPresented{});
+    }
+    void answer(double t) {
+        step(t, PairPressed{procedure_->pair()});
+        step(t + 1, ScreenPresented{});
+        step(t + 2, SpacePressed{});
+        step(t + 3, ScreenPresented{});
+        step(t + 5, Tick{t + 5});
+        step(t + 5, ScreenPresented{});
+        step(t + 6, SpacePressed{});
+        step(t + 7, ScreenPresented{});
+        step(t + 8, Answered{true});
+        answer_rows_ = last_;
+        step(t + 9, ScreenPresented{});
+    }
+
+    std::filesystem::path folder_;
+    std::optional<analysis::Store> store_;
+    stimuli::Study study_;
+    std::optional<Procedure> procedure_;
+    std::optional<Journal> journal_;
+    std::vector<Row> last_;
+    std::vector<Row> answer_rows_;
+};
+
+TEST_F(Recording, EveryAnswerIsInTheStoreBeforeTheNextScreenIsDue) {
+    begin();
+    EXPECT_EQ(store_->sessions().size(), 1U);
+    answer(10);
+    EXPECT_EQ(store_->trials_of("s-1").size(), 1U);
+    EXPECT_EQ(store_->sessions()[0].state, analysis::SessionState::kOpen);
+    answer(30);
+    EXPECT_EQ(store_->trials_of("s-1").size(), 2U);
+    EXPECT_EQ(store_->sessions()[0].state, analysis::SessionState::kCompleted);
+}
+
+TEST_F(Recording, ARowThatAnEarlierTryBroughtToTheDiskMayBeTriedAgain) {
+    begin();
+    answer(10);
+    EXPECT_NO_THROW(commit(*store_, answer_rows_.at(0)));
+    EXPECT_EQ(store_->trials_of("s-1").size(), 1U);
+    auto other = std::get<analysis::TrialRecord>(answer_rows_.at(0));
+    other.answered_utc = utc_text(1000);
+    EXPECT_THROW(commit(*store_, other), base::Error);
+}
+
+TEST_F(Recording, AnOpenSessionIsPlannedAgainAsItBegan) {
+    // The order that the study itself draws, not that of small_plan.
+    SessionPlan plan = small_plan(study_);
+    plan.order = stimuli::session_order(study_.order, 2, study_.seed, 0);
+    procedure_.emplace(study_, plan);
+    begin();
+    answer(10);
+    const stimuli::Manifest manifest = small_manifest(study_);
+    const auto session = store_->open_sessions("small", analysis::Kind::kParticipant).at(0);
+    const auto trials = store_->trials_of("s-1");
+    const SessionPlan again = plan_to_resume(study_, manifest, session, trials, store_->events());
+    EXPECT_EQ(again.order.conditions, plan.order.conditions);
+    EXPECT_EQ(again.participant_id, plan.participant_id);
+
+    stimuli::Study other_study = study_;
+    other_study.sha256 = std::string(64, '6');
+    EXPECT_THROW((void)plan_to_resume(other_study, manifest, session, trials, store_->events()),
+                 base::Error);
+    for (std::size_t i = 0; i < manifest.images.size(); ++i) {  // shown or still to come
+        stimuli::Manifest other = manifest;
+        other.images[i].sha256[0] = '9';
+        EXPECT_THROW((void)plan_to_resume(study_, other, session, trials, store_->events()),
+                     base::Error);
+    }
+}
+
+TEST(Clock, UtcTextsGoForthAndBack) {
+    EXPECT_EQ(utc_text(0.0), "1970-01-01T00:00:00.000Z");
+    EXPECT_EQ(utc_text(946684800.25), "2000-01-01T00:00:00.250Z");
+    EXPECT_NEAR(seconds_between("2000-01-01T00:00:00.250Z", "2000-01-02T00:00:01.500Z"), 86401.25,
+                1e-6);
+    EXPECT_EQ(seconds_between("no time", "2000-01-01T00:00:00Z"), 0.0);
+}
+
+}  // namespace
+}  // namespace obscura::app::kiosk
