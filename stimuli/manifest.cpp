@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "stimuli/variant_reader.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -26,6 +27,8 @@ Json to_json(const ManifestImage& image) {
             {"condition", image.condition},
             {"side", image.side},
             {"scene", image.scene},
+            {"source", image.source},
+            {"camera", image.camera},
             {"validity", image.validity},
             {"technique", image.technique},
             {"samples", image.samples},
@@ -45,6 +48,8 @@ ManifestImage image_from(const Json& json) {
     json.at("condition").get_to(image.condition);
     json.at("side").get_to(image.side);
     json.at("scene").get_to(image.scene);
+    json.at("source").get_to(image.source);
+    json.at("camera").get_to(image.camera);
     json.at("validity").get_to(image.validity);
     json.at("technique").get_to(image.technique);
     json.at("samples").get_to(image.samples);
@@ -75,6 +80,35 @@ std::string problem_of_size(const Study& study, const std::filesystem::path& pat
                        spec.width, spec.height, study.width, study.height);
 }
 
+std::string in_words(const std::string& source, const std::string& camera,
+                     std::string_view validity, const renderer::TechniqueChoice& choice) {
+    std::string settings;
+    const renderer::Technique* technique = renderer::find_technique(choice.technique);
+    if (technique != nullptr) {
+        for (const renderer::Parameter& parameter : technique->parameters) {
+            settings += fmt::format(", {} {}", parameter.name, choice.value_of(parameter));
+        }
+    }
+    return fmt::format("{} from {}, validity {}, {}{}, denoise {}", source, camera, validity,
+                       choice.variant_name(), settings, choice.denoise);
+}
+
+/// An image of before the study was edited is as sound a file as any, but shows something else.
+std::string problem_of_content(const Study& study, const Condition& condition,
+                               const ManifestImage& image, const std::filesystem::path& path) {
+    const StudyScene& scene = study.scene_of(condition);
+    const renderer::TechniqueChoice& wanted = image.side == "a" ? condition.a : condition.b;
+    const renderer::TechniqueChoice made{image.technique, image.samples, image.parameters,
+                                         image.denoise};
+    if (image.source == scene.source && image.camera == scene.camera &&
+        image.validity == to_string(scene.validity) && same_variant(made, wanted)) {
+        return "";
+    }
+    return fmt::format("{}: it shows {}; the study asks for {}; obscura render makes it anew",
+                       path.string(), in_words(image.source, image.camera, image.validity, made),
+                       in_words(scene.source, scene.camera, to_string(scene.validity), wanted));
+}
+
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
                              const Manifest& manifest, const std::filesystem::path& folder) {
     const ManifestImage* image = manifest.find(condition.id, side);
@@ -96,7 +130,8 @@ std::string problem_of_image(const Study& study, const Condition& condition, con
     } catch (const base::Error& unreadable) {
         return unreadable.what();
     }
-    return problem_of_size(study, path);
+    std::string problem = problem_of_size(study, path);
+    return problem.empty() ? problem_of_content(study, condition, *image, path) : problem;
 }
 
 }  // namespace

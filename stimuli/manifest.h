@@ -17,8 +17,10 @@ struct ManifestImage {
     std::string file;    ///< relative to the manifest's folder, CONDITION-a.png
     std::string sha256;  ///< of the file's bytes
     std::string condition;
-    std::string side;  ///< a or b
-    std::string scene;
+    std::string side;    ///< a or b
+    std::string scene;   ///< id in the study
+    std::string source;  ///< the scene that it is
+    std::string camera;
     std::string validity;
     std::string technique;
     int samples = 0;
@@ -27,7 +29,7 @@ struct ManifestImage {
     int width = 0;
     int height = 0;
     std::vector<std::string> passes;
-    double milliseconds = 0.0;  ///< of all passes
+    double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included
     std::string
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };
@@ -55,7 +57,8 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest);
                                                    const Study& study);
 
 /// Everything that keeps a study from being shown, a sentence each naming the file: no manifest,
-/// an image missing, its bytes not those of the manifest (SHA-256), its size not the study's.
+/// an image missing, its bytes not those of the manifest (SHA-256), its size not the study's, or
+/// made from another scene, camera, validity, technique or parameter than the study now asks for.
 /// Empty when every image of the study is ready.
 [[nodiscard]] std::vector<std::string> problems_of_stimuli(const Study& study,
                                                            const std::filesystem::path& folder);

@@ -96,6 +96,8 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.condition = stimulus.condition->id;
     image.side = std::string(1, stimulus.side);
     image.scene = scene.id;
+    image.source = scene.source;
+    image.camera = scene.camera;
     image.validity = to_string(scene.validity);
     image.technique = choice.technique;
     image.samples = choice.samples;

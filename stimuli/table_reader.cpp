@@ -170,7 +170,9 @@ std::optional<double> TableReader::number(const std::string& key, Need need) {
         wrong_type(key, *value, "a number");
         return std::nullopt;
     }
-    return value->value<double>();
+    // By hand, because toml++ gives nothing for an integer that a double only comes near to.
+    if (value->is_integer()) return static_cast<double>(**value->as_integer());
+    return **value->as_floating_point();
 }
 
 const toml::array* TableReader::array(const std::string& key, Need need, std::string_view wanted) {

@@ -83,6 +83,7 @@ const std::vector<BadText>& bad_texts() {
          "\"radius_m\" is an unknown key"},
         {"misspelt parameter", "radius_m", "radius", 19, "did you mean \"radius_m\"?"},
         {"parameter out of range", "0.8", "1000.5", 19, "0 to 1000 m"},
+        {"parameter beyond exact doubles", "0.8", "9007199254740993", 19, "out of range"},
         {"parameter not a number", "0.8", "nan", 19, "nan is out of range"},
         {"parameter infinite", "0.8", "inf", 19, "inf is out of range"},
         {"two equal images", "\"crytek\", samples = 32", "\"raymarch\", samples = 30", 25,

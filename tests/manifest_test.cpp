@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
@@ -60,10 +62,13 @@ class Stimuli : public testing::Test {
         image.condition = condition.id;
         image.side = side;
         image.scene = condition.scene;
+        image.source = "atrium";
+        image.camera = "nave";
         image.validity = "high";
         image.technique = choice.technique;
         image.samples = choice.samples;
-        image.parameters = {{"radius_m", 0.1}, {"power", 1.0 / 3.0}};
+        image.parameters = choice.parameters;
+        if (choice.technique == "raymarch") image.parameters["radius_m"] = 0.5;  // its standard
         image.denoise = choice.denoise;
         image.width = study_.width;
         image.height = study_.height;
@@ -84,6 +89,8 @@ class Stimuli : public testing::Test {
 };
 
 TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
+    manifest_.images[1].parameters = {{"radius_m", 0.1}, {"power", 1.0 / 3.0}};
+    save_manifest(folder_ / "manifest.json", manifest_);
     const Manifest back = load_manifest(folder_ / "manifest.json");
     EXPECT_EQ(back.study, manifest_.study);
     EXPECT_EQ(back.seed, manifest_.seed);
@@ -92,12 +99,12 @@ TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
     for (std::size_t i = 0; i < 4; ++i) {
         const ManifestImage& x = back.images[i];
         const ManifestImage& y = manifest_.images[i];
-        EXPECT_EQ(std::tie(x.file, x.sha256, x.condition, x.side, x.scene, x.validity, x.technique,
-                           x.samples, x.parameters, x.denoise, x.width, x.height, x.passes,
-                           x.milliseconds, x.inputs_sha256),
-                  std::tie(y.file, y.sha256, y.condition, y.side, y.scene, y.validity, y.technique,
-                           y.samples, y.parameters, y.denoise, y.width, y.height, y.passes,
-                           y.milliseconds, y.inputs_sha256));
+        EXPECT_EQ(std::tie(x.file, x.sha256, x.condition, x.side, x.scene, x.source, x.camera,
+                           x.validity, x.technique, x.samples, x.parameters, x.denoise, x.width,
+                           x.height, x.passes, x.milliseconds, x.inputs_sha256),
+                  std::tie(y.file, y.sha256, y.condition, y.side, y.scene, y.source, y.camera,
+                           y.validity, y.technique, y.samples, y.parameters, y.denoise, y.width,
+                           y.height, y.passes, y.milliseconds, y.inputs_sha256));
     }
     EXPECT_EQ(back.find("two", "b")->file, "two-b.png");
     EXPECT_EQ(back.find("two", "c"), nullptr);
@@ -140,6 +147,31 @@ TEST_F(Stimuli, AnImageWithoutEntryIsNamedByConditionAndSide) {
     manifest_.images.erase(manifest_.images.begin() + 1);
     save_manifest(folder_ / "manifest.json", manifest_);
     EXPECT_THAT(problems(), ElementsAre(HasSubstr("no entry for condition one, image b")));
+}
+
+TEST_F(Stimuli, ImagesOfBeforeTheStudyWasEditedAreRefusedWithWhatChanged) {
+    Study edited = study_;
+    edited.conditions[0].b.parameters["radius_m"] = 0.25;
+    edited.conditions[1].a.samples = 48;
+    EXPECT_THAT(
+        problems_of_stimuli(edited, folder_),
+        ElementsAre(AllOf(HasSubstr("one-b.png"), HasSubstr("radius_m 0.8"), HasSubstr("asks for"),
+                          HasSubstr("radius_m 0.25")),
+                    AllOf(HasSubstr("two-a.png"), HasSubstr("Crytek32"), HasSubstr("Crytek48"))));
+    edited = study_;
+    edited.conditions[0].b.denoise = "box4";
+    EXPECT_THAT(problems_of_stimuli(edited, folder_), ElementsAre(HasSubstr("denoise box4")));
+    edited = study_;
+    edited.scenes[0].camera = "gallery";
+    EXPECT_EQ(problems_of_stimuli(edited, folder_).size(), 4U);
+    edited = study_;
+    edited.scenes[0].validity = Validity::kModerate;
+    EXPECT_EQ(problems_of_stimuli(edited, folder_).size(), 4U);
+}
+
+TEST_F(Stimuli, AParameterWrittenOutAtItsStandardIsNoChange) {
+    study_.conditions[1].b.parameters["radius_m"] = 0.5;
+    EXPECT_THAT(problems(), IsEmpty());
 }
 
 TEST_F(Stimuli, AManifestOfAnotherStudyIsRefused) {

@@ -58,6 +58,11 @@ TEST(BuiltinStudy, HasTheProcedureOfTheThesis) {
     EXPECT_EQ(study.sha256, base::sha256_hex(builtin_text()));
 }
 
+TEST(BuiltinStudy, HasNoProblemWithTheBuiltInScenes) {
+    EXPECT_EQ(to_lines(problems_of_study(builtin_text()), "built in"), "");
+    EXPECT_EQ(load_study("").conditions.size(), 7U);
+}
+
 TEST(BuiltinStudy, IsFoundByItsNameAndByNoName) {
     EXPECT_EQ(study_source("").text, builtin_text());
     EXPECT_EQ(study_source("jakobsen2010").text, builtin_text());
@@ -91,6 +96,18 @@ TEST(Study, TextsKeepEveryLanguageAndTheLineEndsOfWindowsDoNotMatter) {
     const StudyReading reading = read(text);
     ASSERT_EQ(to_lines(reading.problems, "small"), "");
     EXPECT_EQ(reading.study.instructions, "見て。\nΚοίτα 🙂");
+}
+
+TEST(Study, WhatTomlCanWriteInTwoWaysMeansTheSame) {
+    std::string text(kSmallStudy);
+    const std::string_view inlined = "b = { technique = \"blizzard\", radius_m = 1 }";
+    text.replace(text.find("radius_m = 0.8"), 14, "radius_m = 1");
+    const Study one = read(text).study;
+    text.replace(text.find(inlined), inlined.size(),
+                 "[condition.b]\ntechnique = 'blizzard'\nradius_m = 1.0");
+    const StudyReading other = read(text);
+    ASSERT_EQ(to_lines(other.problems, "small"), "");
+    EXPECT_EQ(other.study.conditions[0].b.parameters, one.conditions[0].b.parameters);
 }
 
 TEST(Study, AByteOrderMarkAtTheStartIsNoProblem) {

@@ -34,7 +34,7 @@ renderer::Scene build() {
     atrium::weather(site);
     renderer::Scene scene = site.take();
     scene.name = "atrium";
-    scene.cameras.push_back(camera("nave", {-2.2F, 2.1F, 10.2F}, {0.6F, 3.4F, 0.0F}, 56.0F));
+    scene.cameras.push_back(camera("nave", {-1.5F, 1.8F, 10.3F}, {0.45F, 3.1F, 0.0F}, 58.0F));
     scene.cameras.push_back(camera("gallery", {5.0F, 7.4F, 9.6F}, {-1.2F, 5.2F, 0.0F}, 58.0F));
     scene.cameras.push_back(camera("corner", {0.3F, 1.7F, 6.6F}, {3.7F, 1.75F, 2.2F}, 54.0F));
     return scene;
@@ -44,22 +44,22 @@ renderer::Lighting lighting(Validity validity) {
     // Across the court from the left, steep enough to reach the floor and one arcade.
     const vec3 towards_sun = glm::normalize(vec3(-0.36F, 1.0F, 0.2F));
     renderer::SkyColours sky;
-    sky.zenith = {0.34F, 0.50F, 0.86F};
-    sky.horizon = {0.80F, 0.86F, 0.95F};
-    sky.ground = {0.62F, 0.53F, 0.41F};  // sunlit stone below
-    sky.sun_glow = {0.5F, 0.42F, 0.3F};
+    sky.zenith = {0.50F, 0.68F, 1.05F};
+    sky.horizon = {0.62F, 0.63F, 0.66F};
+    sky.ground = {0.40F, 0.33F, 0.25F};  // sunlit stone below
+    sky.sun_glow = {1.5F, 1.25F, 0.9F};
     sky.towards_sun = towards_sun;
-    sky.cloud_cover = 0.3F;
-    sky.seed = 7;
+    sky.cloud_cover = 0.5F;
+    sky.seed = 3;
     renderer::Lighting light;
     light.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky));
     if (validity == Validity::kHigh) {
         renderer::DirectionalLight sun;
         sun.towards_light = towards_sun;
-        sun.irradiance = vec3(1.0F, 0.92F, 0.78F) * 9.0F;
+        sun.irradiance = vec3(1.0F, 0.92F, 0.78F) * 13.0F;
         light.lights.push_back(sun);
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.1F, 3.0F};
+        light.tone_mapping = renderer::ToneMapping{1.25F, 5.0F};
     }
     return light;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -14,12 +15,6 @@ using glm::vec2;
 using glm::vec3;
 using renderer::Mesh;
 using renderer::Vertex;
-
-// Vegetable dyes, linear.
-const vec3 kRed(0.60F, 0.045F, 0.035F);
-const vec3 kGreen(0.075F, 0.28F, 0.09F);
-const vec3 kBlue(0.05F, 0.12F, 0.38F);
-const vec3 kGold(0.70F, 0.45F, 0.12F);
 
 /// A hanging cloth with its upper edge on a rod along x, from y = 0 downwards.
 struct Drape {
@@ -50,11 +45,11 @@ vec3 drape_point(const Drape& drape, float u, float v) {
     const float strength =
         0.55F +
         0.45F * value_noise(vec2(u * static_cast<float>(drape.folds), v * 1.5F), drape.seed + 1U);
-    const float fuller = drape.depth * (0.45F + 0.55F * glm::smoothstep(0.0F, 0.25F, v)) *
-                         std::min(1.5F, 1.0F / (0.35F + 0.65F * width));
+    const float fuller =
+        drape.depth * (0.6F + 0.4F * glm::smoothstep(0.0F, 0.2F, v)) * glm::mix(0.42F, 1.0F, width);
     // Rounded crests, and edges that lean over as heavy cloth does.
     const float z = fuller * strength * (std::sin(phase) + 0.22F * std::sin(2.0F * phase + 0.7F));
-    const float lean = 0.28F * drape.width / static_cast<float>(drape.folds) * width *
+    const float lean = 0.2F * drape.width / static_cast<float>(drape.folds) * width *
                        std::cos(phase + 0.4F) * glm::smoothstep(0.0F, 0.3F, v);
     const float anchor = 0.5F * drape.towards;
     const float x = drape.width * (anchor + (u - 0.5F - anchor) * width) + lean;
@@ -64,22 +59,34 @@ vec3 drape_point(const Drape& drape, float u, float v) {
 }
 
 void put_drape(Site& site, const Drape& drape, const vec3& dye, const glm::mat4& frame) {
-    PatchOptions options;
-    options.columns = drape.folds * 9;
-    options.rows = 44;
-    options.size_m = {drape.width * 1.5F, drape.height};
-    // u runs rightwards and v downwards, so the mesh is turned to face +z.
-    Mesh mesh = patch(options, [&](float u, float v) { return drape_point(drape, 1.0F - u, v); });
-    for (Vertex& vertex : mesh.vertices) {
-        const float v = vertex.uv.y / drape.height;
-        const bool border = v > 0.945F && v < 0.985F;
-        const float sunned = 1.0F - 0.12F * value_noise(vertex.position_m * 1.3F, drape.seed);
-        const float dusty = glm::smoothstep(0.8F, 1.0F, v);
-        vec3 colour = border ? kGold : dye;
-        colour = glm::mix(colour * sunned, vec3(0.36F, 0.30F, 0.22F), 0.16F * dusty);
-        vertex.color = glm::u8vec4(glm::vec4(colour * 255.0F + 0.5F, 255.0F));
+    struct Strip {
+        float from;
+        float to;
+        int rows;
+        vec3 colour;
+    };
+    const std::array<Strip, 3> strips{
+        {{0.0F, 0.945F, 22, dye}, {0.945F, 0.982F, 1, kDyeGold}, {0.982F, 1.0F, 1, dye}}};
+    for (const Strip& strip : strips) {
+        PatchOptions options;
+        options.columns = drape.folds * 7;
+        options.rows = strip.rows;
+        options.size_m = {drape.width * 1.5F, drape.height * (strip.to - strip.from)};
+        // u runs leftwards and v downwards, so the cloth faces +z.
+        Mesh mesh = patch(options, [&](float u, float v) {
+            return drape_point(drape, 1.0F - u, strip.from + (strip.to - strip.from) * v);
+        });
+        // Over sharp folds the triangles' own normals are the true ones.
+        smooth_normals(mesh, 1.9F);
+        for (Vertex& vertex : mesh.vertices) {
+            const float down = -vertex.position_m.y / drape.height;
+            const float sunned = 1.0F - 0.18F * value_noise(vertex.position_m * 1.3F, drape.seed);
+            const float dusty = 0.16F * glm::smoothstep(0.8F, 1.0F, down);
+            const vec3 colour = glm::mix(strip.colour * sunned, vec3(0.30F, 0.25F, 0.18F), dusty);
+            vertex.color = glm::u8vec4(glm::vec4(colour * 255.0F + 0.5F, 255.0F));
+        }
+        site.put(Surface::kCloth, mesh, frame, drape.seed);
     }
-    site.put(Surface::kCloth, mesh, frame, drape.seed);
 }
 
 void put_rod(Site& site, float length, const glm::mat4& frame) {
@@ -91,15 +98,15 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
             {0.0F, -0.05F}, {0.035F, -0.035F}, {0.05F, 0.0F}, {0.035F, 0.035F}, {0.0F, 0.05F}},
         12);
     std::vector<vec3> loop;
-    for (const vec2& point : circle(0.035F, 12)) loop.emplace_back(0.0F, point.x, point.y);
+    for (const vec2& point : circle(0.035F, 9)) loop.emplace_back(0.0F, point.x, point.y);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh ring =
-        sweep(circle(0.006F, 6), frames_along(loop, {1.0F, 0.0F, 0.0F}, true), closed);
+        sweep(circle(0.006F, 4), frames_along(loop, {1.0F, 0.0F, 0.0F}, true), closed);
     for (const float side : {-0.5F, 0.5F}) {
         site.put(Surface::kIron, knob, frame * at(side * length, 0.0F, 0.0F), 2U);
     }
-    constexpr int kRings = 18;
+    constexpr int kRings = 10;
     for (int i = 0; i < kRings; ++i) {
         const float x = length * 0.96F * ((static_cast<float>(i) + 0.5F) / kRings - 0.5F);
         site.put(Surface::kIron, ring, frame * at(x, -0.012F, 0.0F), 3U);
@@ -113,15 +120,15 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
 
 void put_tie(Site& site, vec3 centre, float width, const glm::mat4& frame) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 28)) {
-        loop.emplace_back(centre + vec3(0.5F * width * point.x, -0.10F * point.x, 0.15F * point.y));
+    for (const vec2& point : circle(1.0F, 20)) {
+        loop.emplace_back(centre + vec3(0.5F * width * point.x, -0.10F * point.x, 0.12F * point.y));
     }
     SweepOptions closed;
     closed.closed_path = true;
     const std::vector<vec2> band{{-0.02F, -0.05F}, {0.0F, -0.055F}, {0.02F, -0.05F},
                                  {0.02F, 0.05F},   {0.0F, 0.055F},  {-0.02F, 0.05F}};
     site.put(Surface::kCloth, sweep(band, frames_along(loop, {0.0F, 1.0F, 0.0F}, true), closed),
-             frame, 5U, kGold);
+             frame, 5U, kDyeGold);
 }
 
 /// Curtains behind a lower arch, on the aisle's side of its wall. `style`: 0 parted in the middle
@@ -153,22 +160,22 @@ void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
         put_drape(site, drape, dye, cloth * at(middle, 0.0F, 0.0F));
         const float at_tie = drape.width * drape.gather;
         const float x = middle + side * 0.5F * (drape.width - at_tie);
-        put_tie(site, {x, -drape.height * drape.tie, 0.0F}, at_tie + 0.1F, cloth);
+        put_tie(site, {x, -drape.height * drape.tie, 0.0F}, at_tie + 0.03F, cloth);
     }
 }
 
-/// A cloth laid over the balustrade, falling down to the arches.
-void put_banner(Site& site, const glm::mat4& bay, float x, float width, float drop, const vec3& dye,
+/// A cloth laid over the balustrade, falling down to the arches; `dye` 0 red, 1 green, 2 blue.
+void put_banner(Site& site, const glm::mat4& bay, float x, float width, float drop, int dye,
                 std::uint32_t seed) {
     PatchOptions options;
-    options.columns = 36;
-    options.rows = 72;
+    options.columns = 22;
+    options.rows = 40;
     constexpr float kRail = 6.5F;
     constexpr float kInside = 0.55F;  // length on the gallery's side
     constexpr float kOver = 0.30F;
     const float length = kInside + kOver + drop;
     options.size_m = {width, length};
-    const Mesh flat = patch(options, [&](float u, float v) {
+    Mesh mesh = patch(options, [&](float u, float v) {
         const float along = length * v;
         const float fold = std::sin((u + 0.06F * fbm(vec2(u * 3.0F, v * 2.0F), seed, 3)) * 26.0F);
         const float across = width * (0.5F - u);
@@ -189,23 +196,14 @@ void put_banner(Site& site, const glm::mat4& bay, float x, float width, float dr
         return vec3(across * (1.0F - 0.04F * loose), kRail + 0.012F - t,
                     clear + billow + 0.022F * loose * fold);
     });
-    Mesh mesh = flat;
     for (Vertex& vertex : mesh.vertices) {
-        const vec2 place = vertex.uv;
-        const float edge = std::min(place.x, width - place.x);
-        const float below = length - place.y;
-        const bool border =
-            (edge > 0.06F && edge < 0.1F && below > 0.1F) || (below > 0.1F && below < 0.16F);
-        // A figure: a ring with a star of eight in it.
-        const vec2 q = (place - vec2(0.5F * width, length - 0.75F)) / (0.34F * width);
-        const float r = glm::length(q);
-        const float star = 0.55F + 0.22F * std::cos(8.0F * std::atan2(q.x, q.y));
-        const bool figure = (r > 0.86F && r < 1.0F) || r < star;
-        const vec3 colour = (border || figure ? kGold : dye) *
-                            (1.0F - 0.15F * value_noise(vertex.position_m * 1.7F, seed));
-        vertex.color = glm::u8vec4(glm::vec4(colour * 255.0F + 0.5F, 255.0F));
+        // The texture's lower end is the banner's; which third is its colour.
+        vertex.uv = {(static_cast<float>(dye) + vertex.uv.x / width) / 3.0F,
+                     1.0F - (length - vertex.uv.y) / 3.0F};
+        const float tone = 1.0F - 0.2F * value_noise(vertex.position_m * 1.7F, seed);
+        vertex.color = glm::u8vec4(glm::vec4(vec3(tone * 255.0F), 255.0F));
     }
-    site.put(Surface::kCloth, mesh, bay * at(x, 0.0F, -0.08F + kWallHalf), seed);
+    site.put_mapped(Surface::kBanner, mesh, bay * at(x, 0.0F, -0.08F + kWallHalf));
 }
 
 }  // namespace
@@ -219,8 +217,8 @@ void build_cloth(Site& site) {
     };
     // Bays count along the side's own x axis: towards -z on the left side (-1), +z on the right.
     const std::vector<Hanging> hangings{
-        {1, 0, 0, kRed},  {1, 1, 2, kGreen}, {1, 3, 0, kBlue},   {1, 4, 1, kRed},
-        {-1, 1, 1, kRed}, {-1, 2, 0, kBlue}, {-1, 4, 0, kGreen}, {-1, 5, 2, kRed},
+        {1, 0, 0, kDyeRed},  {1, 1, 2, kDyeGreen}, {1, 3, 0, kDyeBlue},   {1, 4, 1, kDyeRed},
+        {-1, 1, 1, kDyeRed}, {-1, 2, 0, kDyeBlue}, {-1, 4, 0, kDyeGreen}, {-1, 5, 2, kDyeRed},
     };
     for (const Hanging& hanging : hangings) {
         const float x = -kHalfLength + kBay * (static_cast<float>(hanging.bay) + 0.5F);
@@ -234,11 +232,11 @@ void build_cloth(Site& site) {
         int bay;
         float x;
         float drop;
-        vec3 dye;
+        int dye;  // the third of the texture: red, green, blue
     };
-    const std::vector<Banner> banners{{1, 1, -0.84F, 2.5F, kBlue}, {1, 2, 0.84F, 2.1F, kGreen},
-                                      {1, 4, -0.84F, 2.5F, kRed},  {-1, 1, 0.84F, 2.3F, kGreen},
-                                      {-1, 3, -0.84F, 2.5F, kRed}, {-1, 4, 0.84F, 2.2F, kBlue}};
+    const std::vector<Banner> banners{{1, 1, -0.84F, 2.5F, 2},  {1, 2, 0.84F, 2.1F, 1},
+                                      {1, 4, -0.84F, 2.5F, 0},  {-1, 1, 0.84F, 2.3F, 1},
+                                      {-1, 3, -0.84F, 2.5F, 0}, {-1, 4, 0.84F, 2.2F, 2}};
     for (const Banner& banner : banners) {
         const float x = -kHalfLength + kBay * (static_cast<float>(banner.bay) + 0.5F);
         put_banner(site, side_frame(banner.side, kArcadeX) * at(x, 0.0F, 0.0F), banner.x, 1.05F,

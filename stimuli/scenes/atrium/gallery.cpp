@@ -24,12 +24,11 @@ std::vector<vec2> main_cornice() {
 }
 
 Mesh baluster() {
-    const std::vector<vec2> profile{
-        {0.0F, 0.0F},    {0.055F, 0.0F},  {0.057F, 0.03F},  {0.04F, 0.05F},  {0.034F, 0.075F},
-        {0.048F, 0.12F}, {0.066F, 0.19F}, {0.068F, 0.25F},  {0.055F, 0.33F}, {0.036F, 0.42F},
-        {0.03F, 0.50F},  {0.032F, 0.54F}, {0.046F, 0.565F}, {0.036F, 0.59F}, {0.05F, 0.62F},
-        {0.055F, 0.66F}, {0.0F, 0.66F}};
-    return revolve(profile, 12);
+    const std::vector<vec2> profile{{0.055F, 0.0F},  {0.057F, 0.03F}, {0.036F, 0.06F},
+                                    {0.048F, 0.12F}, {0.067F, 0.2F},  {0.064F, 0.28F},
+                                    {0.036F, 0.42F}, {0.031F, 0.53F}, {0.046F, 0.565F},
+                                    {0.036F, 0.59F}, {0.052F, 0.62F}, {0.055F, 0.66F}};
+    return revolve(profile, 9);
 }
 
 /// Square pier from the parapet to the springing with a moulded head, at each bay line.
@@ -75,9 +74,9 @@ void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
         const float x0 = which < 0 ? -half : 0.0F;
         const float x1 = which < 0 ? 0.0F : half;
         const Mesh front =
-            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop);
+            arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
         const Mesh rear =
-            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop);
+            arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
         site.put(Surface::kAshlar, front, bay * at(0.0F, 0.0F, kUpperHalf), seed);
         site.put(Surface::kAshlar, rear, bay * back * at(0.0F, 0.0F, kUpperHalf), seed + 50U);
         Ring ring;
@@ -94,7 +93,7 @@ void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
 }
 
 void put_dentils(Site& site, const glm::mat4& frame, std::uint32_t seed) {
-    const Mesh dentil = bevelled_box({0.09F, 0.09F, 0.14F}, 0.008F);
+    const Mesh dentil = bevelled_box({0.09F, 0.09F, 0.14F}, 0.0F);
     constexpr int kCount = 120;
     for (int i = 0; i < kCount; ++i) {
         const float x = -kHalfLength + 2.0F * kHalfLength * (static_cast<float>(i) + 0.5F) / kCount;
@@ -111,7 +110,10 @@ void build_galleries(Site& site) {
     slender.height = kUpperSpringing - kRailTop - 0.08F;
     slender.radius = 0.135F;
     slender.abacus = 0.42F;
-    slender.segments = 20;
+    slender.segments = 18;
+    slender.scrolls = false;
+    slender.leaves = 6;
+    slender.leaf_detail = 5;
     const Mesh pillar = column(slender);
     for (const int side : {-1, 1}) {
         const glm::mat4 frame = side_frame(side, kArcadeX - kWallHalf + kUpperHalf);

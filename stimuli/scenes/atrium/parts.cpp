@@ -91,10 +91,11 @@ Mesh rectangle(vec3 origin, vec3 edge_u, vec3 edge_v, float cell_m) {
     return mesh;
 }
 
-Mesh arch_wall(float x0, float x1, float centre_x, float springing, float radius, float top) {
+Mesh arch_wall(float x0, float x1, float centre_x, float springing, float radius, float top,
+               int rows) {
     PatchOptions options;
-    options.columns = 32;
-    options.rows = 6;
+    options.columns = 24;
+    options.rows = rows;
     const vec2 centre(centre_x, springing);
     // The rays also go through the rectangle's two upper corners, so that the border has no
     // chamfer.
@@ -156,7 +157,9 @@ void put_voussoirs(Site& site, const Ring& ring, const glm::mat4& transform) {
             vertex.tangent = glm::vec4(rotated(vec3(vertex.tangent)), vertex.tangent.w);
         }
         const std::uint32_t seed = ring.seed * 64U + static_cast<std::uint32_t>(i);
-        site.put(Surface::kStone, block, transform, seed, shade(seed, 0.2F));
+        // A warmer and a paler stone take turns.
+        const vec3 stone = (i & 1) != 0 ? vec3(0.86F, 0.76F, 0.66F) : vec3(1.0F, 0.97F, 0.93F);
+        site.put(Surface::kStone, block, transform, seed, stone * shade(seed, 0.16F));
     }
 }
 

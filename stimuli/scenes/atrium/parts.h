@@ -39,12 +39,19 @@ enum class Surface {
     kWood,     ///< beams, boards, doors; grain along v
     kRoof,     ///< fired clay: roof tiles, pots
     kCloth,    ///< near white; dyed by the tint
+    kBanner,   ///< three banners side by side: red, green, blue
     kLeaf,
     kSoil,
     kIron,
     kLampGlass,
 };
-inline constexpr std::size_t kSurfaces = 11;
+inline constexpr std::size_t kSurfaces = 12;
+
+// Vegetable dyes, linear.
+inline constexpr glm::vec3 kDyeRed(0.42F, 0.032F, 0.026F);
+inline constexpr glm::vec3 kDyeGreen(0.060F, 0.20F, 0.075F);
+inline constexpr glm::vec3 kDyeBlue(0.040F, 0.095F, 0.29F);
+inline constexpr glm::vec3 kDyeGold(0.62F, 0.39F, 0.11F);
 
 /// The scene while it grows.
 class Site {
@@ -94,7 +101,7 @@ void weather(Site& site);
 /// A wall's rectangle [x0, x1] x [springing, top] in the plane z = 0 facing +z, without the half
 /// disc of `radius` around (centre_x, springing). uv in metres.
 [[nodiscard]] renderer::Mesh arch_wall(float x0, float x1, float centre_x, float springing,
-                                       float radius, float top);
+                                       float radius, float top, int rows = 4);
 
 /// A flat rectangle from `origin` along two edges; the outside is cross(edge_u, edge_v).
 /// Cells are at most `cell_m` long. v of its uv runs against edge_v, so that v goes down on walls.
@@ -124,8 +131,10 @@ struct ColumnShape {
     float height = 3.5F;
     float radius = 0.31F;  ///< of the shaft's foot
     float abacus = 1.0F;   ///< side length
-    int segments = 28;
-    int leaves = 8;  ///< in each of two rows
+    int segments = 24;
+    int leaves = 8;       ///< in each of two rows
+    int leaf_detail = 8;  ///< cells along and around each
+    bool scrolls = true;  ///< volutes below the corners of the abacus
 };
 [[nodiscard]] renderer::Mesh column(const ColumnShape& shape);
 

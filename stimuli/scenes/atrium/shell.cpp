@@ -66,13 +66,14 @@ void build_floors(Site& site) {
 }
 
 /// A squared timber from a to b; the grain runs along it.
-void put_beam(Site& site, vec3 a, vec3 b, float width, float height, std::uint32_t seed) {
+void put_beam(Site& site, vec3 a, vec3 b, float width, float height, std::uint32_t seed,
+              float bevel = 0.0F) {
     const vec3 along = glm::normalize(b - a);
     const vec3 side = glm::normalize(glm::cross(along, vec3(0.0F, 1.0F, 0.0F)));
     const vec3 up = glm::cross(side, along);
     const glm::mat4 frame(glm::vec4(side, 0.0F), glm::vec4(along, 0.0F), glm::vec4(-up, 0.0F),
                           glm::vec4(0.5F * (a + b), 1.0F));
-    const Mesh timber = bevelled_box({width, glm::length(b - a), height}, 0.015F);
+    const Mesh timber = bevelled_box({width, glm::length(b - a), height}, bevel);
     site.put(Surface::kWood, timber, frame, seed, shade(seed, 0.3F));
 }
 
@@ -100,7 +101,7 @@ void build_ceiling(Site& site, float side, float boards_y, float inner_x, float 
         if (!main_here || i == 0) continue;
         const float line = -kHalfLength + kBay * static_cast<float>(i / 6);
         put_beam(site, {x(inner_x), boards_y - 0.2F, line}, {x(outer_x), boards_y - 0.2F, line},
-                 0.28F, 0.4F, seed + 100U + static_cast<std::uint32_t>(i));
+                 0.28F, 0.4F, seed + 100U + static_cast<std::uint32_t>(i), 0.02F);
         // A stone corbel carries the beam at the wall.
         site.put(Surface::kStone, bevelled_box({0.42F, 0.3F, 0.34F}, 0.05F),
                  at(x(outer_x - 0.2F), boards_y - 0.55F, line),
@@ -114,7 +115,7 @@ void build_ceiling(Site& site, float side, float boards_y, float inner_x, float 
 /// Barrel tiles over a gallery: waves across, steps down the slope.
 void build_roof(Site& site, float side, std::uint32_t seed) {
     constexpr float kPitch = 0.23F;
-    constexpr float kCourse = 0.36F;
+    constexpr float kCourse = 0.44F;
     constexpr float kInner = 2.9F;
     constexpr float kOuter = 7.3F;
     constexpr float kRise = 1.75F;
@@ -122,28 +123,35 @@ void build_roof(Site& site, float side, std::uint32_t seed) {
     const int rolls = static_cast<int>(length / kPitch);
     const int courses = static_cast<int>((kOuter - kInner) / kCourse);
     PatchOptions options;
-    options.columns = rolls * 8;
-    options.rows = courses;
+    options.columns = rolls * 4;
     options.size_m = {length, kOuter - kInner};
+    options.rows = 1;
+    const auto place = [&](int row, float u, float v) {
+        const float roll = u * static_cast<float>(rolls);
+        const int index = static_cast<int>(roll + 0.01F);
+        const float wave = 0.058F * std::abs(std::sin(glm::pi<float>() * roll));
+        const float slip = 0.03F * (hash_unit(index, row, 0, seed) - 0.5F);
+        const float t = (static_cast<float>(row) + v * 1.12F) / static_cast<float>(courses);
+        const float along = (u - 0.5F) * length;
+        const float out = kInner + (kOuter - kInner) * t + slip * (1.0F - v);
+        const float y = kEaves + 0.03F + kRise * t + wave + 0.035F * (1.0F - v);
+        return vec3(side * out, y, side * along);
+    };
     for (int row = 0; row < courses; ++row) {
-        options.rows = 1;
-        const Mesh course = patch(options, [&](float u, float v) {
-            const float roll = u * static_cast<float>(rolls);
-            const int index = static_cast<int>(roll + 0.01F);
-            const float wave = 0.055F * std::abs(std::sin(glm::pi<float>() * roll));
-            const float slip = 0.03F * (hash_unit(index, row, 0, seed) - 0.5F);
-            const float t = (static_cast<float>(row) + v * 1.12F) / static_cast<float>(courses);
-            const float along = (u - 0.5F) * length;
-            const float out = kInner + (kOuter - kInner) * t + slip * (1.0F - v);
-            const float y = kEaves + 0.03F + kRise * t + wave + 0.035F * (1.0F - v);
-            return vec3(side * out, y, side * along);
-        });
         // u along side * z, v along side * x: z cross x is +y.
-        site.put(Surface::kRoof, course, glm::mat4(1.0F), seed + static_cast<std::uint32_t>(row),
-                 shade(seed + static_cast<std::uint32_t>(row), 0.1F));
+        const Mesh course = patch(options, [&](float u, float v) { return place(row, u, v); });
+        const auto own = seed + static_cast<std::uint32_t>(row);
+        site.put(Surface::kRoof, course, glm::mat4(1.0F), own, shade(own, 0.1F));
     }
+    // The lowest tiles are bedded in mortar, a little behind their edge.
+    options.size_m.y = 0.12F;
+    const Mesh mortar = patch(options, [&](float u, float v) {
+        const vec3 edge = place(0, u, 0.04F);
+        return vec3(edge.x, glm::mix(kEaves, edge.y - 0.004F, v), edge.z);
+    });
+    site.put(Surface::kPlaster, mortar, glm::mat4(1.0F), seed + 30U, vec3(0.8F));
     // Closed below the tiles, with rafter ends under the eaves.
-    const vec3 low(side * (kInner + 0.06F), kEaves, 0.0F);
+    const vec3 low(side * (kInner - 0.03F), kEaves, 0.0F);
     const vec3 high(side * kOuter, kEaves + kRise - 0.02F, 0.0F);
     const vec3 along = glm::normalize(high - low);
     const vec3 up = side * glm::cross(vec3(0.0F, 0.0F, 1.0F), along);

@@ -20,7 +20,8 @@ struct Opening {
     float springing = 2.0F;
     float radius = 0.7F;
     float depth = 0.3F;
-    bool door = false;
+    bool door = false;      ///< boards down to the floor
+    bool shutters = false;  ///< boards down to the sill
 };
 
 /// The bay of wall [x0, x1] x [foot, top] around an opening.
@@ -33,7 +34,7 @@ struct Panel {
 
 /// A rectangle in the plane z whose uv are its place on the wall.
 Mesh wall_rectangle(float x0, float x1, float y0, float y1, float z) {
-    Mesh mesh = rectangle({x0, y0, z}, {x1 - x0, 0.0F, 0.0F}, {0.0F, y1 - y0, 0.0F}, 0.15F);
+    Mesh mesh = rectangle({x0, y0, z}, {x1 - x0, 0.0F, 0.0F}, {0.0F, y1 - y0, 0.0F}, 0.25F);
     for (Vertex& vertex : mesh.vertices) {
         vertex.uv = vec2(vertex.position_m.x, -vertex.position_m.y);
     }
@@ -41,38 +42,43 @@ Mesh wall_rectangle(float x0, float x1, float y0, float y1, float z) {
 }
 
 void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint32_t seed) {
-    const float height = o.springing + o.radius - o.foot;
-    constexpr int kPlanks = 8;
+    const float foot = o.door ? o.foot : o.sill;
+    const float height = o.springing + o.radius - foot;
+    constexpr int kPlanks = 6;
     const float width = 2.0F * o.radius / kPlanks;
     const float z = -0.6F * o.depth;
     for (int i = 0; i < kPlanks; ++i) {
         const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 0.5F);
         const auto own = seed + static_cast<std::uint32_t>(i);
         site.put(Surface::kWood, bevelled_box({width - 0.006F, height, 0.06F}, 0.012F),
-                 frame * at(x, o.foot + 0.01F + 0.5F * height, z), own, shade(own, 0.25F));
+                 frame * at(x, foot + 0.01F + 0.5F * height, z), own, shade(own, 0.25F));
     }
+    // No light between the boards.
+    site.put(Surface::kWood, bevelled_box({2.0F * o.radius, height, 0.03F}, 0.0F),
+             frame * at(o.centre_x, foot + 0.01F + 0.5F * height, z - 0.04F), seed + 9U,
+             vec3(0.3F));
     for (const float y : {0.14F, 0.42F, 0.68F}) {
-        const float at_y = o.foot + y * height;
+        const float at_y = foot + y * height;
         site.put(Surface::kIron, bevelled_box({2.0F * o.radius - 0.12F, 0.06F, 0.016F}, 0.005F),
                  frame * at(o.centre_x, at_y, z + 0.036F), seed);
-        for (int i = 0; i < kPlanks; ++i) {
-            const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 0.5F);
-            site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.03F}, 0.012F),
+        for (int i = 0; i < kPlanks; i += 2) {
+            const float x = o.centre_x - o.radius + width * (static_cast<float>(i) + 1.0F);
+            site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.03F}, 0.0F),
                      frame * at(x, at_y, z + 0.045F), seed);
         }
     }
     std::vector<vec3> loop;
-    for (const vec2& point : circle(0.075F, 16)) loop.emplace_back(point.x, point.y, 0.0F);
+    for (const vec2& point : circle(0.075F, 10)) loop.emplace_back(point.x, point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh handle =
-        sweep(circle(0.011F, 8), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.011F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     for (const float x : {-0.13F, 0.13F}) {
         site.put(Surface::kIron, handle,
-                 frame * at(o.centre_x + x, o.foot + 0.5F * height, z + 0.055F), seed);
+                 frame * at(o.centre_x + x, foot + 0.5F * height, z + 0.055F), seed);
     }
     site.put(Surface::kWood, bevelled_box({0.09F, height, 0.04F}, 0.01F),
-             frame * at(o.centre_x, o.foot + 0.5F * height, z + 0.034F), seed + 20U);
+             frame * at(o.centre_x, foot + 0.5F * height, z + 0.034F), seed + 20U);
 }
 
 void put_frame(Site& site, const Opening& o, const glm::mat4& frame, std::uint32_t seed) {
@@ -84,10 +90,10 @@ void put_frame(Site& site, const Opening& o, const glm::mat4& frame, std::uint32
     ring.width = kWidth;
     ring.z0 = -0.1F;
     ring.z1 = 0.05F;
-    ring.blocks = 9;
+    ring.blocks = 7;
     ring.seed = seed;
     put_voussoirs(site, ring, frame);
-    const int blocks = 4;
+    const int blocks = 3;
     const float step = (o.springing - o.sill) / static_cast<float>(blocks);
     for (const float side : {-1.0F, 1.0F}) {
         for (int i = 0; i < blocks; ++i) {
@@ -126,12 +132,12 @@ void put_panel(Site& site, const Panel& panel, const Opening& o, const glm::mat4
     wall(rectangle({left, o.sill + (o.door ? 0.01F : 0.0F), 0.0F}, {2.0F * o.radius, 0.0F, 0.0F},
                    {0.0F, 0.0F, -o.depth}));
     put_frame(site, o, frame, seed);
-    if (o.door) put_leaves(site, o, frame, seed + 30U);
+    if (o.door || o.shutters) put_leaves(site, o, frame, seed + 30U);
 }
 
 /// A plinth of stone blocks along the foot of a wall, left out at a door.
 void put_plinth(Site& site, const glm::mat4& frame, float x0, float x1, std::uint32_t seed) {
-    const int blocks = std::max(1, static_cast<int>((x1 - x0) / 0.75F + 0.5F));
+    const int blocks = std::max(1, static_cast<int>((x1 - x0) / 1.0F + 0.5F));
     const float step = (x1 - x0) / static_cast<float>(blocks);
     for (int i = 0; i < blocks; ++i) {
         const float x = x0 + step * (static_cast<float>(i) + 0.5F);
@@ -196,7 +202,27 @@ void build_end_wall(Site& site, float facing, std::uint32_t seed) {
     put_door(-kArcadeX, kArcadeX, 1.05F, 2.3F, seed + 100U);
     put_door(-half, -kArcadeX, 0.62F, 2.1F, seed + 200U);
     put_door(kArcadeX, half, 0.62F, 2.1F, seed + 300U);
-    site.put(Surface::kAshlar, wall_rectangle(-half, half, kLowerTop, kEaves, 0.0F), frame, seed);
+    const auto wall = [&](float x0, float x1, float y0, float y1) {
+        site.put(Surface::kAshlar, wall_rectangle(x0, x1, y0, y1, 0.0F), frame, seed);
+    };
+    // Above: a window with shutters on either side of the middle.
+    wall(-half, -3.2F, kLowerTop, kEaves);
+    wall(-1.4F, 1.4F, kLowerTop, kEaves);
+    wall(3.2F, half, kLowerTop, kEaves);
+    wall(-3.2F, -1.4F, kUpperSpringing + 0.9F, kEaves);
+    wall(1.4F, 3.2F, kUpperSpringing + 0.9F, kEaves);
+    for (const float side : {-1.0F, 1.0F}) {
+        Opening window;
+        window.centre_x = side * 2.3F;
+        window.foot = kLowerTop;
+        window.sill = 6.3F;
+        window.springing = kUpperSpringing - 0.1F;
+        window.radius = 0.46F;
+        window.shutters = true;
+        const Panel panel{window.centre_x - 0.9F, window.centre_x + 0.9F, kUpperSpringing + 0.9F,
+                          Surface::kAshlar};
+        put_panel(site, panel, window, frame, seed, seed + (side > 0.0F ? 400U : 500U));
+    }
     // Gables beside the court, under the roofs, and the thickness of the wall.
     site.put(Surface::kAshlar, bevelled_box({15.0F, 11.2F, 0.3F}, 0.0F),
              frame * at(0.0F, 5.4F, -0.8F), seed + 1U);

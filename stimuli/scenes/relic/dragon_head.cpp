@@ -24,11 +24,11 @@ void add_skull(Sculpture& s, const Placed& at) {
         s.add(ellipsoid(at(x, y, z), radii, at.axes), {blend, kJade, true});
     };
     blob(0.0F, 0.012F, -0.015F, {0.060F, 0.056F, 0.080F}, 0.0F);
-    s.add(tube(make_curve({at.knot(0, 0.022F, 0.02F, 0.052F, 0.040F),
-                           at.knot(0, 0.010F, 0.10F, 0.039F, 0.028F),
-                           at.knot(0, 0.012F, 0.165F, 0.038F, 0.025F),
-                           at.knot(0, 0.016F, 0.192F, 0.034F, 0.024F)},
-                          6, at.axes[0])),
+    s.add(tube(make_curve(
+              {at.knot(0, 0.022F, 0.02F, 0.052F, 0.040F), at.knot(0, 0.010F, 0.10F, 0.039F, 0.028F),
+               at.knot(0, 0.012F, 0.165F, 0.038F, 0.025F),
+               at.knot(0, 0.016F, 0.192F, 0.034F, 0.024F)},
+              6, at.axes[0])),
           {0.025F, kJade, true});
     blob(0.0F, 0.028F, 0.198F, {0.032F, 0.022F, 0.024F}, 0.018F);
     for (const float x : kSides) {
@@ -46,10 +46,10 @@ void add_skull(Sculpture& s, const Placed& at) {
     // Folds across the bridge of the nose.
     for (int i = 0; i < 5; ++i) {
         const float z = 0.088F + 0.019F * static_cast<float>(i);
-        s.add(tube(make_curve({at.knot(-0.028F, 0.024F, z - 0.010F, 0.0055F),
-                               at.knot(0.0F, 0.042F, z, 0.0070F),
-                               at.knot(0.028F, 0.024F, z - 0.010F, 0.0055F)},
-                              5, at.axes[2])),
+        s.add(tube(make_curve(
+                  {at.knot(-0.028F, 0.024F, z - 0.010F, 0.0055F), at.knot(0.0F, 0.042F, z, 0.0070F),
+                   at.knot(0.028F, 0.024F, z - 0.010F, 0.0055F)},
+                  5, at.axes[2])),
               {0.006F, kJade, true});
     }
 }
@@ -149,12 +149,12 @@ void add_horns(Sculpture& s, const Placed& at) {
                (p.along_m < 0.17F ? 1.0F : 0.3F);
     };
     for (const float x : kSides) {
-        const Curve horn = make_curve(
-            {at.knot(x * 0.030F, 0.050F, -0.020F, 0.019F), at.knot(x * 0.046F, 0.095F, -0.060F, 0.016F),
-             at.knot(x * 0.066F, 0.120F, -0.130F, 0.0125F),
-             at.knot(x * 0.084F, 0.165F, -0.190F, 0.0090F),
-             at.knot(x * 0.090F, 0.225F, -0.215F, 0.0025F)},
-            8, at.axes[2]);
+        const Curve horn = make_curve({at.knot(x * 0.030F, 0.050F, -0.020F, 0.019F),
+                                       at.knot(x * 0.046F, 0.095F, -0.060F, 0.016F),
+                                       at.knot(x * 0.066F, 0.120F, -0.130F, 0.0125F),
+                                       at.knot(x * 0.084F, 0.165F, -0.190F, 0.0090F),
+                                       at.knot(x * 0.090F, 0.225F, -0.215F, 0.0025F)},
+                                      8, at.axes[2]);
         s.add(tube(horn, {false, rings, 0.0015F}), {0.006F, kPale, true});
         const Curve branch = make_curve({at.knot(x * 0.058F, 0.108F, -0.100F, 0.0115F),
                                          at.knot(x * 0.072F, 0.142F, -0.098F, 0.0085F),

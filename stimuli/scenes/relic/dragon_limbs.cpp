@@ -16,15 +16,15 @@ void add_digit(Sculpture& s, const glm::vec3& root, const glm::vec3& knuckle, co
     s.add(round_cone(knuckle, thick_m, tip, 0.85F * thick_m), {0.004F, kJade, true});
     const glm::vec3 middle = 0.5F * (tip + claw) + 0.35F * glm::length(claw - tip) *
                                                        glm::normalize(knuckle - root) * 0.3F;
-    const Curve nail = make_curve({{tip, 0.80F * thick_m, 0.0F},
-                                   {middle, 0.55F * thick_m, 0.0F},
-                                   {claw, 0.0012F, 0.0F}},
-                                  5, glm::normalize(root - tip));
+    const Curve nail = make_curve(
+        {{tip, 0.80F * thick_m, 0.0F}, {middle, 0.55F * thick_m, 0.0F}, {claw, 0.0012F, 0.0F}}, 5,
+        glm::normalize(root - tip));
     s.add(tube(nail), {0.002F, kPale, true});
 }
 
 void add_limb(Sculpture& s, const std::vector<Knot>& knots) {
-    s.add(tube(make_curve(knots, 8, glm::vec3(0.1F, 0.2F, 1.0F))), {0.022F, kJade, true});
+    const Curve bones = make_curve(knots, 6, glm::vec3(0.1F, 0.2F, 1.0F));
+    s.add(tube(bones, scales(bones, 10, 0.0075F, false)), {0.022F, kJade, true});
 }
 
 /// Flame-shaped locks that fly from an elbow or heel.
@@ -54,7 +54,8 @@ void add_raised_foreleg(Sculpture& s) {
           {0.015F, kJade, true});
     constexpr float kPearl_m = 0.055F;
     for (int i = 0; i < 4; ++i) {
-        const float angle = std::numbers::pi_v<float> * (0.25F + 0.5F * static_cast<float>(i)) + 0.3F;
+        const float angle =
+            std::numbers::pi_v<float> * (0.25F + 0.5F * static_cast<float>(i)) + 0.3F;
         const glm::vec3 out(std::cos(angle), 0.0F, std::sin(angle));
         const glm::vec3 up(0.0F, 1.0F, 0.0F);
         add_digit(s, wrist + glm::vec3(-0.012F, 0.020F, 0.0F) + out * 0.018F,
@@ -100,11 +101,12 @@ void add_hind_leg(Sculpture& s, const Placed& at, float side) {
                  {p(0.090F, -0.104F, 0.070F), 0.024F, 0.0F}});
     for (int i = 0; i < 4; ++i) {
         const float t = static_cast<float>(i) / 3.0F - 0.5F;
-        add_digit(s, p(0.090F + 0.030F * t, -0.100F, 0.075F), p(0.090F + 0.070F * t, -0.088F, 0.118F),
-                  p(0.090F + 0.100F * t, -0.108F, 0.148F), p(0.090F + 0.112F * t, -0.126F, 0.182F),
-                  0.0135F);
+        add_digit(s, p(0.090F + 0.030F * t, -0.100F, 0.075F),
+                  p(0.090F + 0.070F * t, -0.088F, 0.118F), p(0.090F + 0.100F * t, -0.108F, 0.148F),
+                  p(0.090F + 0.112F * t, -0.126F, 0.182F), 0.0135F);
     }
-    add_flames(s, p(0.088F, -0.070F, 0.012F), at.axes * glm::normalize(glm::vec3(0.3F * side, 0.35F, -0.9F)),
+    add_flames(s, p(0.088F, -0.070F, 0.012F),
+               at.axes * glm::normalize(glm::vec3(0.3F * side, 0.35F, -0.9F)),
                at.axes * glm::vec3(0.0F, 1.0F, 0.0F), 0.10F);
 }
 
@@ -113,7 +115,8 @@ void add_hind_leg(Sculpture& s, const Placed& at, float side) {
 void add_limbs(Sculpture& sculpture) {
     add_raised_foreleg(sculpture);
     add_resting_foreleg(sculpture);
-    const glm::mat3 axes = axes_from(glm::normalize(glm::vec3(0.35F, 0.0F, 0.9F)), {0.0F, 1.0F, 0.0F});
+    const glm::mat3 axes =
+        axes_from(glm::normalize(glm::vec3(0.35F, 0.0F, 0.9F)), {0.0F, 1.0F, 0.0F});
     add_hind_leg(sculpture, {glm::vec3(-0.300F, 0.275F, 0.075F), axes}, -1.0F);
 }
 

@@ -14,8 +14,10 @@ namespace {
 glm::vec3 veined(const glm::vec3& p, const glm::vec3&, const glm::vec3& tint) {
     const float cloud = fbm(p * 5.0F, 21, 3);
     const float vein = ridged(p * 4.0F + 0.35F * cloud, 33, 2);
-    const float light = 1.0F + 0.07F * cloud - 0.06F * std::clamp((vein - 0.88F) * 8.0F, 0.0F, 1.0F);
-    const glm::vec3 warm = glm::mix(glm::vec3(1.0F), glm::vec3(1.05F, 1.0F, 0.94F), 0.5F + 0.5F * cloud);
+    const float light =
+        1.0F + 0.07F * cloud - 0.06F * std::clamp((vein - 0.88F) * 8.0F, 0.0F, 1.0F);
+    const glm::vec3 warm =
+        glm::mix(glm::vec3(1.0F), glm::vec3(1.05F, 1.0F, 0.94F), 0.5F + 0.5F * cloud);
     return tint * light * warm;
 }
 
@@ -35,11 +37,12 @@ void leave_out_underside(renderer::Mesh& mesh) {
 }
 
 renderer::Scene build() {
-    constexpr float kCell_m = 0.0054F;
-    constexpr float kHeadCell_m = 0.0032F;
+    constexpr float kCell_m = 0.0058F;
+    constexpr float kHeadCell_m = 0.0034F;
     renderer::Scene scene;
     scene.name = "relic";
-    scene.materials.push_back({.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
+    scene.materials.push_back(
+        {.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
     const Curve spine = relic::spine();
     Sculpture body;
     relic::add_body(body, spine);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace obscura::stimuli {
 namespace {
@@ -16,8 +17,8 @@ float box_distance(const glm::vec3& local, const glm::vec3& half) {
 }
 
 Bounds bounds_of_box(const glm::vec3& centre, const glm::vec3& half, const glm::mat3& axes) {
-    const glm::vec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y +
-                            glm::abs(axes[2]) * half.z;
+    const glm::vec3 reach =
+        glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
     return {centre - reach, centre + reach};
 }
 
@@ -114,6 +115,29 @@ class HalfSpace final : public Shape {
     glm::vec3 point_, normal_;
 };
 
+class Grown final : public Shape {
+  public:
+    Grown(ShapePtr shape, float by) : shape_(std::move(shape)), by_(by) {}
+    [[nodiscard]] float distance(const glm::vec3& p) const override {
+        return shape_->distance(p) - by_;
+    }
+    [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
+        return shape_->lower_bound(p) - by_;
+    }
+    [[nodiscard]] Bounds bounds() const override {
+        const Bounds inner = shape_->bounds();
+        return {inner.low - by_, inner.high + by_};
+    }
+    [[nodiscard]] ShapePtr restricted(const glm::vec3& p, float radius) const override {
+        ShapePtr inner = shape_->restricted(p, radius + std::abs(by_));
+        return inner ? std::make_shared<Grown>(std::move(inner), by_) : nullptr;
+    }
+
+  private:
+    ShapePtr shape_;
+    float by_;
+};
+
 class TubeSegment final : public Shape {
   public:
     TubeSegment(const CurvePoint& a, const CurvePoint& b, const TubeStyle& style)
@@ -135,8 +159,8 @@ class TubeSegment final : public Shape {
         const float length = glm::length(d);
         if (round_) return length - w;
         const float h = a_.height_m + (b_.height_m - a_.height_m) * t;
-        // The squarish section reaches past the ellipse, at most by the fourth root of two.
-        const float capsule = length - 1.19F * std::max(w, h);
+        // The squarish section reaches past the ellipse, at most by the fourth root of three.
+        const float capsule = length - 1.32F * std::max(w, h);
         if (capsule >= limit) return capsule;
         return section(local(d, t), w, h);
     }
@@ -147,19 +171,19 @@ class TubeSegment final : public Shape {
         const glm::vec3 at = local(pa - ba_ * t, t);
         const float w = a_.width_m + (b_.width_m - a_.width_m) * t;
         const float h = a_.height_m + (b_.height_m - a_.height_m) * t;
-        return style_.relief({a_.length_m + (b_.length_m - a_.length_m) * t,
-                              std::atan2(at.y, at.x), std::sqrt(w * h), p});
+        return style_.relief({a_.length_m + (b_.length_m - a_.length_m) * t, std::atan2(at.y, at.x),
+                              std::sqrt(w * h), p});
     }
     [[nodiscard]] float relief_high() const override { return style_.relief_high_m; }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         const glm::vec3 pa = p - a_.position_m;
         const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
-        return glm::length(pa - ba_ * t) - 1.19F * thick_ - style_.relief_high_m;
+        return glm::length(pa - ba_ * t) - 1.32F * thick_ - style_.relief_high_m;
     }
     [[nodiscard]] Bounds bounds() const override {
         Bounds result;
-        result.include(a_.position_m, 1.19F * thick_ + style_.relief_high_m);
-        result.include(b_.position_m, 1.19F * thick_ + style_.relief_high_m);
+        result.include(a_.position_m, 1.32F * thick_ + style_.relief_high_m);
+        result.include(b_.position_m, 1.32F * thick_ + style_.relief_high_m);
         return result;
     }
 
@@ -234,6 +258,10 @@ ShapePtr rounded_box(const glm::vec3& centre_m, const glm::vec3& half_m, float r
     return std::make_shared<RoundedBox>(centre_m, half_m, rounding_m, axes);
 }
 
+ShapePtr grown(ShapePtr shape, float by_m) {
+    return std::make_shared<Grown>(std::move(shape), by_m);
+}
+
 ShapePtr half_space(const glm::vec3& point_m, const glm::vec3& normal) {
     return std::make_shared<HalfSpace>(point_m, normal);
 }
@@ -252,14 +280,14 @@ Curve make_curve(const std::vector<Knot>& knots, int steps, const glm::vec3& nor
         const int last = span + 2 == count ? steps : steps - 1;
         for (int step = 0; step <= last; ++step) {
             const float t = static_cast<float>(step) / static_cast<float>(steps);
-            const glm::vec4 at = catmull_rom(packed(span - 1), packed(span), packed(span + 1),
-                                             packed(span + 2), t);
-            const glm::vec4 high = catmull_rom(glm::vec4(height(span - 1)), glm::vec4(height(span)),
-                                               glm::vec4(height(span + 1)),
-                                               glm::vec4(height(span + 2)), t);
+            const glm::vec4 at =
+                catmull_rom(packed(span - 1), packed(span), packed(span + 1), packed(span + 2), t);
+            const glm::vec4 high =
+                catmull_rom(glm::vec4(height(span - 1)), glm::vec4(height(span)),
+                            glm::vec4(height(span + 1)), glm::vec4(height(span + 2)), t);
             // Width and height are equal to the last bit where the knots are round.
-            curve.push_back({glm::vec3(at), normal_hint, std::max(at.w, 1e-4F),
-                             std::max(high.x, 1e-4F), 0.0F});
+            curve.push_back(
+                {glm::vec3(at), normal_hint, std::max(at.w, 1e-4F), std::max(high.x, 1e-4F), 0.0F});
         }
     }
     rebuild_frames(curve);
@@ -278,8 +306,7 @@ void rebuild_frames(Curve& curve) {
         }
         curve[i].normal = last_normal = glm::normalize(normal);
         curve[i].length_m =
-            i == 0 ? 0.0F
-                   : curve[i - 1].length_m + glm::length(curve[i].position_m - before);
+            i == 0 ? 0.0F : curve[i - 1].length_m + glm::length(curve[i].position_m - before);
     }
 }
 

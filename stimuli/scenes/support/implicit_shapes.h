@@ -39,6 +39,14 @@ class Shape {
     /// Never more than the true distance to the raised solid; may be coarser than distance().
     [[nodiscard]] virtual float lower_bound(const glm::vec3& point_m) const = 0;
     [[nodiscard]] virtual Bounds bounds() const = 0;
+    /// A cheaper shape that is the same within `radius_m` of the point wherever its distance is
+    /// below `radius_m`; null where this one is cheap enough. It must not outlive this one.
+    [[nodiscard]] virtual std::shared_ptr<const Shape> restricted(const glm::vec3& point_m,
+                                                                  float radius_m) const {
+        static_cast<void>(point_m);
+        static_cast<void>(radius_m);
+        return nullptr;
+    }
 };
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -55,6 +63,9 @@ using ShapePtr = std::shared_ptr<const Shape>;
 /// Everything on the side of the plane that `normal` (unit length) points away from.
 [[nodiscard]] ShapePtr half_space(const glm::vec3& point_m, const glm::vec3& normal);
 
+/// The shape grown by `by_m` on all sides (shrunk where negative).
+[[nodiscard]] ShapePtr grown(ShapePtr shape, float by_m);
+
 /// A point of a curve that a section is swept along.
 struct CurvePoint {
     glm::vec3 position_m{0.0F};
@@ -70,6 +81,20 @@ struct Knot {
     glm::vec3 position_m{0.0F};
     float width_m = 0.01F;
     float height_m = 0.0F;  ///< 0: as width_m, a round section
+};
+
+/// A place that parts are modelled at: right, up and forward are the columns.
+struct Placed {
+    glm::vec3 origin_m{0.0F};
+    glm::mat3 axes{1.0F};
+
+    [[nodiscard]] glm::vec3 operator()(float right, float up, float forward) const {
+        return origin_m + axes * glm::vec3(right, up, forward);
+    }
+    [[nodiscard]] Knot knot(float right, float up, float forward, float width_m,
+                            float height_m = 0.0F) const {
+        return {(*this)(right, up, forward), width_m, height_m};
+    }
 };
 
 /// A Catmull-Rom spline through the knots, `steps` points a span; normals are `normal_hint` made
@@ -90,9 +115,9 @@ struct TubePoint {
 using Relief = std::function<float(const TubePoint&)>;
 
 struct TubeStyle {
-    bool squarish = false;     ///< section is a superellipse of power 4, for straps and plates
-    Relief relief = nullptr;   ///< optional
-    float relief_high_m = 0;   ///< largest height that the relief returns
+    bool squarish = false;    ///< section is a superellipse of power 4, for straps and plates
+    Relief relief = nullptr;  ///< optional
+    float relief_high_m = 0;  ///< largest height that the relief returns
 };
 
 /// One shape per segment, meant to be joined by a plain union.

@@ -12,9 +12,10 @@
 namespace obscura::stimuli {
 namespace {
 
-constexpr int kCells = 4;            ///< cells along an edge of a block
-constexpr int kSide = kCells + 1;    ///< corners along an edge, those of the next blocks included
-constexpr float kReachFactor = 1.4F; ///< slack for fields that are distances of first order only
+constexpr int kCells = 4;             ///< cells along an edge of a block
+constexpr int kLocalCells = 16;       ///< size of a block for which nested sculptures are cut down
+constexpr int kSide = kCells + 1;     ///< corners along an edge, those of the next blocks included
+constexpr float kReachFactor = 1.4F;  ///< slack for fields that are distances of first order only
 
 /// A corner whose edge along `axis` crosses the surface.
 struct Crossing {
@@ -49,7 +50,8 @@ class Mesher {
         find_blocks();
         const auto count = static_cast<int>(blocks_.size());
         for_each_row(count, [this](int i) { sample(blocks_[static_cast<std::size_t>(i)]); });
-        for_each_row(count, [this](int i) { place_vertices(blocks_[static_cast<std::size_t>(i)]); });
+        for_each_row(count,
+                     [this](int i) { place_vertices(blocks_[static_cast<std::size_t>(i)]); });
         return assemble();
     }
 
@@ -77,6 +79,7 @@ class Mesher {
         auto parts = sculpture_.near(centre, radius_m, above);
         if (parts.empty()) return;
         if (std::abs(sculpture_.distance(centre, parts)) > kReachFactor * radius_m) return;
+        if (cells == kLocalCells) sculpture_.localise(centre, 2.0F * radius_m, parts, owners_);
         if (cells == kCells) {
             blocks_.emplace_back();
             blocks_.back().origin = origin;
@@ -113,7 +116,8 @@ class Mesher {
         std::array<const Block*, 8> next{};
         for (int i = 0; i < 8; ++i) {
             const glm::ivec3 step(i & 1, (i >> 1) & 1, i >> 2);
-            next[static_cast<std::size_t>(i)] = i == 0 ? &block : find(block.origin + kCells * step);
+            next[static_cast<std::size_t>(i)] =
+                i == 0 ? &block : find(block.origin + kCells * step);
         }
         std::array<float, kSide * kSide * kSide> result{};
         for (int z = 0; z < kSide; ++z) {
@@ -163,8 +167,9 @@ class Mesher {
                     if (!middle_of_crossings(cube, middle)) continue;
                     block.vertex_of_cell[static_cast<std::size_t>(cell_index(x, y, z))] =
                         static_cast<std::int32_t>(block.vertices.size());
-                    block.vertices.push_back(vertex_at(
-                        position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle), cube, block));
+                    block.vertices.push_back(
+                        vertex_at(position(glm::vec3(block.origin + glm::ivec3(x, y, z)) + middle),
+                                  cube, block));
                 }
             }
         }
@@ -194,8 +199,8 @@ class Mesher {
     /// From four taps at the corners of a tetrahedron.
     [[nodiscard]] glm::vec3 gradient(const glm::vec3& p, const Block& block) const {
         const float h = 0.4F * cell_m_;
-        constexpr std::array<glm::vec3, 4> kTaps{
-            glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)};
+        constexpr std::array<glm::vec3, 4> kTaps{glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1),
+                                                 glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)};
         glm::vec3 sum(0.0F);
         for (const glm::vec3& tap : kTaps) {
             sum += tap * sculpture_.distance(p + h * tap, block.parts);
@@ -203,7 +208,8 @@ class Mesher {
         return sum / (4.0F * h);
     }
 
-    /// Moves the mean of the crossings onto the surface, along the slope between the cell's corners.
+    /// Moves the mean of the crossings onto the surface, along the slope between the cell's
+    /// corners.
     [[nodiscard]] renderer::Vertex vertex_at(const glm::vec3& start,
                                              const std::array<float, 8>& cube,
                                              const Block& block) const {
@@ -216,7 +222,7 @@ class Mesher {
         const float value = sculpture_.distance(start, block.parts);
         const float steep2 = std::max(glm::dot(slope, slope), 0.25F);
         glm::vec3 step = -slope * (value / steep2);
-        const float longest = 0.5F * cell_m_;
+        const float longest = 0.3F * cell_m_;
         if (glm::length(step) > longest) step *= longest / glm::length(step);
         renderer::Vertex vertex;
         vertex.position_m = start + step;
@@ -228,8 +234,8 @@ class Mesher {
         vertex.tangent = glm::vec4(glm::normalize(glm::cross(hint, vertex.normal)), 1.0F);
         glm::vec3 colour = sculpture_.tint(vertex.position_m, block.parts);
         if (painter_) colour = painter_(vertex.position_m, vertex.normal, colour);
-        vertex.color = glm::u8vec4(
-            glm::clamp(colour, glm::vec3(0.0F), glm::vec3(1.0F)) * 255.0F + 0.5F, 255);
+        vertex.color =
+            glm::u8vec4(glm::clamp(colour, glm::vec3(0.0F), glm::vec3(1.0F)) * 255.0F + 0.5F, 255);
         return vertex;
     }
 
@@ -239,8 +245,8 @@ class Mesher {
                                 (cell.z % kCells + kCells) % kCells);
         const Block* block = find(cell - inside);
         if (block == nullptr) return -1;
-        const std::int32_t local =
-            block->vertex_of_cell[static_cast<std::size_t>(cell_index(inside.x, inside.y, inside.z))];
+        const std::int32_t local = block->vertex_of_cell[static_cast<std::size_t>(
+            cell_index(inside.x, inside.y, inside.z))];
         return local < 0 ? -1 : static_cast<std::int64_t>(block->first_vertex) + local;
     }
 
@@ -272,8 +278,17 @@ class Mesher {
         };
         const std::size_t first =
             glm::distance(place(0), place(2)) <= glm::distance(place(1), place(3)) ? 0 : 1;
-        for (const std::size_t i : {0, 1, 2, 0, 2, 3}) {
-            mesh.indices.push_back(static_cast<std::uint32_t>(at[(first + i) % 4]));
+        for (const std::array<std::size_t, 3>& corners_of :
+             {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+            std::array<std::size_t, 3> corner{};
+            for (std::size_t i = 0; i < 3; ++i) corner[i] = (first + corners_of[i]) % 4;
+            const bool flat = place(corner[0]) == place(corner[1]) ||
+                              place(corner[1]) == place(corner[2]) ||
+                              place(corner[2]) == place(corner[0]);
+            if (flat) continue;
+            for (const std::size_t i : corner) {
+                mesh.indices.push_back(static_cast<std::uint32_t>(at[i]));
+            }
         }
     }
 
@@ -282,6 +297,7 @@ class Mesher {
     const Painter& painter_;
     glm::vec3 origin_m_{0.0F};
     std::vector<Block> blocks_;
+    std::vector<ShapePtr> owners_;
     std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 

@@ -59,10 +59,15 @@ class Sculpture {
     /// The parts that can matter within `radius_m` of the point, out of `parts`, near the surface.
     [[nodiscard]] std::vector<Part> near(const glm::vec3& point_m, float radius_m,
                                          std::span<const Part> parts) const;
+    /// Replaces parts that are sculptures themselves by what of them is near; `owners` keeps the
+    /// replacements alive.
+    void localise(const glm::vec3& point_m, float radius_m, std::vector<Part>& parts,
+                  std::vector<ShapePtr>& owners) const;
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
     [[nodiscard]] float distance(const glm::vec3& point_m, std::span<const Part> parts) const;
     /// As distance() where that is below the limit; otherwise anything not below it.
-    [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m) const;
+    [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m,
+                                       std::span<const Part> parts) const;
     [[nodiscard]] glm::vec3 tint(const glm::vec3& point_m, std::span<const Part> parts) const;
 
   private:
@@ -73,8 +78,9 @@ class Sculpture {
     };
     /// The distance to the stroke that starts at parts[i], or anything not below the limit; moves i
     /// to the next stroke.
-    [[nodiscard]] static float stroke_distance(const glm::vec3& point_m, std::span<const Part> parts,
-                                               std::size_t& i, float limit_m);
+    [[nodiscard]] static float stroke_distance(const glm::vec3& point_m,
+                                               std::span<const Part> parts, std::size_t& i,
+                                               float limit_m);
     [[nodiscard]] float undisplaced(const glm::vec3& point_m, std::span<const Part> parts) const;
     [[nodiscard]] float limit_of(const Stroke& stroke, float so_far) const;
     void stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style);
@@ -91,8 +97,8 @@ class Sculpture {
 
 /// Colours a vertex from where it is, which way it faces and the tint of the strokes there; gives
 /// the linear factor of the albedo in [0, 1].
-using Painter =
-    std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal, const glm::vec3& tint)>;
+using Painter = std::function<glm::vec3(const glm::vec3& position_m, const glm::vec3& normal,
+                                        const glm::vec3& tint)>;
 
 /// Triangulates the zero surface by surface nets (Gibson 1998) on a grid of cells of `cell_m`, its
 /// vertices then moved onto the surface, normals from the field's gradient. Blocks of cells that

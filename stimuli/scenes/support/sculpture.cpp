@@ -30,15 +30,21 @@ float blended(float so_far, float stroke, Blend blend, float k) {
     return so_far;
 }
 
-class SculptureShape final : public Shape {
+/// What of a sculpture is near a place.
+class NearbyShape final : public Shape {
   public:
-    explicit SculptureShape(Sculpture sculpture)
-        : sculpture_(std::move(sculpture)), bounds_(sculpture_.bounds()) {}
+    NearbyShape(const Sculpture& sculpture, const Bounds& bounds, const glm::vec3& point_m,
+                float radius_m)
+        : sculpture_(sculpture),
+          bounds_(bounds),
+          parts_(sculpture.near(point_m, radius_m, sculpture.parts())) {
+        sculpture.localise(point_m, radius_m, parts_, owners_);
+    }
     [[nodiscard]] float distance(const glm::vec3& p) const override {
-        return sculpture_.distance(p);
+        return sculpture_.distance(p, parts_);
     }
     [[nodiscard]] float distance_below(const glm::vec3& p, float limit) const override {
-        return sculpture_.distance_below(p, limit);
+        return sculpture_.distance_below(p, limit, parts_);
     }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         const glm::vec3 q = glm::max(bounds_.low - p, p - bounds_.high);
@@ -47,14 +53,39 @@ class SculptureShape final : public Shape {
     [[nodiscard]] Bounds bounds() const override { return bounds_; }
 
   private:
+    const Sculpture& sculpture_;
+    Bounds bounds_;
+    std::vector<Sculpture::Part> parts_;
+    std::vector<ShapePtr> owners_;
+};
+
+class SculptureShape final : public Shape {
+  public:
+    explicit SculptureShape(Sculpture sculpture)
+        : sculpture_(std::move(sculpture)), bounds_(sculpture_.bounds()) {}
+    [[nodiscard]] float distance(const glm::vec3& p) const override {
+        return sculpture_.distance(p);
+    }
+    [[nodiscard]] float distance_below(const glm::vec3& p, float limit) const override {
+        return sculpture_.distance_below(p, limit, sculpture_.parts());
+    }
+    [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
+        const glm::vec3 q = glm::max(bounds_.low - p, p - bounds_.high);
+        return glm::length(glm::max(q, glm::vec3(0.0F)));
+    }
+    [[nodiscard]] Bounds bounds() const override { return bounds_; }
+    [[nodiscard]] ShapePtr restricted(const glm::vec3& point_m, float radius_m) const override {
+        return std::make_shared<NearbyShape>(sculpture_, bounds_, point_m, radius_m);
+    }
+
+  private:
     Sculpture sculpture_;
     Bounds bounds_;
 };
 
 }  // namespace
 
-void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes,
-                       const StrokeStyle& style) {
+void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes, const StrokeStyle& style) {
     const auto index = static_cast<std::uint32_t>(strokes_.size());
     strokes_.push_back({blend, style, style.blend_m});
     for (const ShapePtr& shape : shapes) {
@@ -142,8 +173,9 @@ float Sculpture::distance(const glm::vec3& point_m, std::span<const Part> parts)
     return result - displacement_.height_m(point_m);
 }
 
-float Sculpture::distance_below(const glm::vec3& point_m, float limit_m) const {
-    const float result = undisplaced(point_m, parts_);
+float Sculpture::distance_below(const glm::vec3& point_m, float limit_m,
+                                std::span<const Part> parts) const {
+    const float result = undisplaced(point_m, parts);
     if (!displacement_.height_m || std::abs(result) > 2.0F * displacement_.high_m ||
         result - displacement_.high_m >= limit_m) {
         return result;
@@ -176,23 +208,43 @@ Bounds Sculpture::bounds() const {
         if (strokes_[part.stroke].blend == Blend::kAdd) result.include(part.shape->bounds());
     }
     const float room = widest_blend_m_ + displacement_.high_m;
-    return {result.low - room, result.high + room};
+    result = {result.low - room, result.high + room};
+    for (const Part& part : parts_) {
+        if (strokes_[part.stroke].blend != Blend::kKeep) continue;
+        const Bounds kept = part.shape->bounds();
+        result.low = glm::max(result.low, kept.low - displacement_.high_m);
+        result.high = glm::min(result.high, kept.high + displacement_.high_m);
+    }
+    return result;
 }
 
 std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float radius_m,
                                              std::span<const Part> parts) const {
     std::vector<Part> result;
     const float reach = radius_m + 2.0F * displacement_.high_m;
+    bool solid = false;
     for (const Part& part : parts) {
         const Stroke& now = strokes_[part.stroke];
         const float limit = reach + now.margin_m;
         const bool keep = now.blend == Blend::kKeep;
         if (!keep && glm::length(point_m - part.centre_m) > limit + part.radius_m) continue;
-        if (keep || part.shape->lower_bound(point_m) <= limit) {
-            result.push_back(part);
+        if (!keep && part.shape->lower_bound(point_m) > limit) continue;
+        solid = solid || now.blend == Blend::kAdd;
+        result.push_back(part);
+    }
+    if (!solid) result.clear();  // nothing here that could be carved or kept
+    return result;
+}
+
+void Sculpture::localise(const glm::vec3& point_m, float radius_m, std::vector<Part>& parts,
+                         std::vector<ShapePtr>& owners) const {
+    for (Part& part : parts) {
+        const float reach = radius_m + 2.0F * displacement_.high_m + strokes_[part.stroke].margin_m;
+        if (ShapePtr nearby = part.shape->restricted(point_m, reach)) {
+            part.shape = nearby.get();
+            owners.push_back(std::move(nearby));
         }
     }
-    return result;
 }
 
 ShapePtr as_shape(Sculpture sculpture) {

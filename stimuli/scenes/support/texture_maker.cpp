@@ -33,7 +33,7 @@ const std::vector<std::uint8_t>& srgb_table() {
 
 /// -1 to 1 as 1 to 255, 128 = 0.
 std::uint8_t encode_signed(float value) {
-    return static_cast<std::uint8_t>(128 + std::lround(std::clamp(value, -1.0F, 1.0F) * 127.0F));
+    return static_cast<std::uint8_t>(std::clamp(value, -1.0F, 1.0F) * 127.0F + 128.5F);
 }
 
 renderer::Texture blank(const TextureRecipe& recipe, const char* suffix, bool srgb) {

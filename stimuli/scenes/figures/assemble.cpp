@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "stimuli/scenes/figures/figure.h"
+#include "stimuli/scenes/support/mesh_builder.h"
+
+namespace obscura::stimuli::figures {
+namespace {
+
+constexpr float kReach_m = 0.05F;  ///< how far the painted occlusion looks
+
+/// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
+/// whose cells know which parts are near.
+class NearField {
+  public:
+    explicit NearField(const Figure& figure) : figure_(figure) {
+        Bounds bounds;
+        for (const FigurePart& part : figure.parts) bounds.include(part.solid.bounds());
+        low_ = bounds.low - kReach_m;
+        size_ = glm::ivec3((bounds.high - bounds.low + 2.0F * kReach_m) / kCell_m) + 1;
+        cells_.resize(static_cast<std::size_t>(size_.x * size_.y * size_.z));
+        for (int z = 0; z < size_.z; ++z) {
+            for (int y = 0; y < size_.y; ++y) {
+                for (int x = 0; x < size_.x; ++x) fill({x, y, z});
+            }
+        }
+    }
+
+    [[nodiscard]] float distance(const glm::vec3& p) const {
+        const glm::vec3 q = (p - low_) / kCell_m;
+        const glm::ivec3 cell = glm::clamp(glm::ivec3(q), glm::ivec3(0), size_ - 1);
+        float nearest = kReach_m;
+        for (const auto& [sculpture, parts] : cells_[index(cell)]) {
+            nearest = std::min(nearest, sculpture->distance(p, parts));
+        }
+        return nearest;
+    }
+
+  private:
+    static constexpr float kCell_m = 0.06F;
+    using Near = std::pair<const Sculpture*, std::vector<Sculpture::Part>>;
+
+    [[nodiscard]] std::size_t index(const glm::ivec3& cell) const {
+        return static_cast<std::size_t>((cell.z * size_.y + cell.y) * size_.x + cell.x);
+    }
+    void fill(const glm::ivec3& cell) {
+        const glm::vec3 centre = low_ + (glm::vec3(cell) + 0.5F) * kCell_m;
+        for (const FigurePart& part : figure_.parts) {
+            auto near = part.solid.near(centre, 0.9F * kCell_m + kReach_m, part.solid.parts());
+            part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near, owners_);
+            if (!near.empty()) cells_[index(cell)].emplace_back(&part.solid, std::move(near));
+        }
+    }
+
+    const Figure& figure_;
+    glm::vec3 low_{0.0F};
+    glm::ivec3 size_{0};
+    std::vector<std::vector<Near>> cells_;
+    std::vector<ShapePtr> owners_;
+};
+
+/// How much of the space just above the surface is taken, [0, 1]: where the field grows slower
+/// than the height above the surface, something else is near.
+float occlusion_at(const NearField& field, const glm::vec3& p, const glm::vec3& normal) {
+    constexpr std::array kHeights_m{0.035F, 0.015F, 0.006F};
+    constexpr std::array kWeights{0.26F, 0.33F, 0.41F};
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < kHeights_m.size(); ++i) {
+        const float free_m = field.distance(p + normal * kHeights_m[i]);
+        // A free ball that touches the surface holds the smaller ones, which are free too.
+        if (i == 0 && free_m >= 0.999F * kHeights_m[0]) return 0.0F;
+        sum += kWeights[i] * std::clamp(1.0F - free_m / kHeights_m[i], 0.0F, 1.0F);
+    }
+    return sum;
+}
+
+/// An eyeball with a cornea's bulge left out: white, iris and pupil are painted on its rings.
+renderer::Mesh eyeball(const Eye& eye) {
+    constexpr int kRings = 18;
+    std::vector<glm::vec2> profile;
+    for (int i = 0; i <= kRings; ++i) {
+        // Rings crowd at the front pole, where the iris is.
+        const float t = static_cast<float>(i) / kRings;
+        const float angle = 3.1415926F * (1.0F - t * (1.5F - 0.5F * t));
+        profile.emplace_back(i == 0 || i == kRings ? 0.0F : eye.radius_m * std::sin(angle),
+                             -eye.radius_m * std::cos(3.1415926F - angle));
+    }
+    renderer::Mesh whole;
+    Placement placement;
+    const glm::mat3 axes = axes_from(eye.gaze, glm::vec3(0.0F, 1.0F, 0.0F));
+    // The ball's pole (+Y) becomes the gaze.
+    placement.transform = glm::mat4(glm::vec4(axes[0], 0.0F), glm::vec4(axes[2], 0.0F),
+                                    glm::vec4(-axes[1], 0.0F), glm::vec4(eye.centre_m, 1.0F));
+    append(whole, revolve(profile, 22), placement);
+    paint(whole, [&](const glm::vec3& p, const glm::vec3&) {
+        const glm::vec3 way = glm::normalize(p - eye.centre_m);
+        const float off = std::acos(std::clamp(glm::dot(way, eye.gaze), -1.0F, 1.0F));
+        const float iris = std::clamp((0.50F - off) / 0.05F, 0.0F, 1.0F);
+        const float pupil = std::clamp((0.20F - off) / 0.04F, 0.0F, 1.0F);
+        const float rim = std::clamp((off - 0.36F) / 0.12F, 0.0F, 1.0F);
+        const float lid_shade = std::clamp(0.75F - 0.9F * way.y, 0.35F, 1.0F);
+        glm::vec3 colour =
+            glm::mix(glm::vec3(0.62F, 0.58F, 0.55F), eye.iris * (1.0F - 0.6F * rim), iris);
+        return glm::mix(colour, glm::vec3(0.01F), pupil) * lid_shade;
+    });
+    return whole;
+}
+
+}  // namespace
+
+FigurePart& Figure::part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m) {
+    FigurePart& added = parts.emplace_back();
+    added.name = part_name;
+    added.cloth = cloth;
+    added.cell_m = cell_m;
+    added.texture_m = texture_m;
+    return added;
+}
+
+void add_to_scene(renderer::Scene& scene, const Figure& figure) {
+    const NearField field(figure);
+    for (const FigurePart& part : figure.parts) {
+        renderer::Mesh mesh = polygonise(
+            part.solid, part.cell_m,
+            [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
+                return tint * (1.0F - part.painted_shade * occlusion_at(field, p, normal));
+            });
+        mesh.name = figure.name + " " + part.name;
+        mesh.material = static_cast<std::uint32_t>(part.cloth);
+        project_box_uv(mesh);
+        for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= part.texture_m;
+        scene.meshes.push_back(std::move(mesh));
+    }
+    renderer::Mesh eyes;
+    for (const Eye& eye : figure.eyes) append(eyes, eyeball(eye));
+    eyes.name = figure.name + " eyes";
+    eyes.material = static_cast<std::uint32_t>(Cloth::kEye);
+    scene.meshes.push_back(std::move(eyes));
+}
+
+}  // namespace obscura::stimuli::figures

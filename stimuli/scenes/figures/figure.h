@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "stimuli/scenes/support/implicit_surface.h"
+
+namespace obscura::stimuli::figures {
+
+// People are modelled in a place of their own: origin between the feet on the ground, Y up, the
+// face towards +Z, the person's left at +X.
+
+/// What a part is made of; the scene's materials are in this order.
+enum class Cloth : std::uint32_t {
+    kSkin,
+    kHair,
+    kEye,
+    kJacket,
+    kShirt,
+    kTrousers,
+    kLeather,
+    kMetal,
+    kGround,
+    kCount,
+};
+
+/// One garment or part of a body: a solid of its own with one material.
+struct FigurePart {
+    std::string name;
+    Cloth cloth = Cloth::kSkin;
+    float cell_m = 0.006F;       ///< of the grid that it is meshed on
+    float texture_m = 0.0F;      ///< what one repeat of the material's texture covers
+    float painted_shade = 0.6F;  ///< how dark the occlusion painted into its colours gets, [0, 1]
+    Sculpture solid;
+};
+
+struct Eye {
+    glm::vec3 centre_m{0.0F};
+    float radius_m = 0.0125F;
+    glm::vec3 gaze{0.0F, 0.0F, 1.0F};  ///< unit length
+    glm::vec3 iris{0.2F, 0.12F, 0.06F};
+};
+
+struct Figure {
+    std::string name;
+    std::vector<FigurePart> parts;
+    std::vector<Eye> eyes;
+
+    FigurePart& part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m);
+};
+
+/// What makes one face differ from another. Lengths are factors of an average man's.
+struct FaceTraits {
+    float jaw = 1.0F;      ///< width of the jaw
+    float brow = 1.0F;     ///< strength of the brow ridge
+    float lips = 1.0F;     ///< fullness
+    float nose = 1.0F;     ///< size
+    float neck = 1.0F;     ///< girth
+    float eyelids = 1.0F;  ///< opening of the eyes
+    glm::vec3 skin{0.55F, 0.36F, 0.27F};
+    glm::vec3 lip{0.45F, 0.22F, 0.18F};
+    glm::vec3 brows{0.08F, 0.05F, 0.035F};
+    glm::vec3 iris{0.2F, 0.12F, 0.06F};
+};
+/// Face, ears and neck; `at` is the middle of the head at the height of the eyes.
+void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits);
+
+/// A man's short hair, brushed up and aside; a woman's, drawn back into a ponytail.
+void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour);
+void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour);
+
+/// A hand. `at`: origin at the wrist, forward along the fingers, up out of the back of the hand.
+struct HandPose {
+    std::array<float, 3> curl_rad{0.35F, 0.45F, 0.3F};  ///< at knuckle, middle and end joint
+    float spread_rad = 0.06F;                           ///< between neighbouring fingers
+    float thumb_in = 0.3F;  ///< 0 stretched out to the side, 1 across the palm
+};
+void add_hand(Sculpture& skin, const Placed& at, float scale, float thumb_side,
+              const HandPose& pose, const glm::vec3& colour);
+
+/// Folds of a sleeve or trouser leg: they crowd at the joints, on the inner side of the bend.
+struct FoldCentre {
+    float along_m = 0.0F;      ///< where along the tube
+    float reach_m = 0.1F;      ///< how far the folds reach along it
+    float angle_rad = 0.0F;    ///< the side on which they crowd
+    float height_m = 0.006F;   ///< of the highest fold
+    float spacing_m = 0.035F;  ///< between folds
+    float evenness = 0.3F;     ///< 0: only on that side; 1: all round
+};
+[[nodiscard]] TubeStyle folded(std::vector<FoldCentre> centres, std::uint32_t seed);
+
+/// A layer that lies on `core`, `thick_m` above it, where `region` covers it: straps, belts,
+/// pockets.
+[[nodiscard]] ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region);
+
+/// Where a boot stands, and which way its toe points in the ground plane.
+void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
+              const glm::vec2& toe, float scale, float shaft_m, const glm::vec3& colour);
+
+[[nodiscard]] Figure make_man(const Placed& place);
+[[nodiscard]] Figure make_woman(const Placed& place);
+
+/// Meshes every part, paints the occlusion of the whole figure into the vertex colours, and adds
+/// the result to the scene.
+void add_to_scene(renderer::Scene& scene, const Figure& figure);
+
+/// Materials in the order of Cloth.
+void add_materials(renderer::Scene& scene);
+
+/// Floor, low wall and crates.
+void add_surroundings(renderer::Scene& scene);
+
+}  // namespace obscura::stimuli::figures

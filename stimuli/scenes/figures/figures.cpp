@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <memory>
+
+#include "stimuli/scenes/figures/figure.h"
+#include "stimuli/scenes/list.h"
+
+namespace obscura::stimuli {
+namespace {
+
+const glm::vec3 kTowardsSun = glm::normalize(glm::vec3(0.55F, 0.75F, 0.65F));
+
+Placed turned(const glm::vec3& origin_m, float turn_rad) {
+    return {origin_m, axes_from(glm::vec3(std::sin(turn_rad), 0.0F, std::cos(turn_rad)),
+                                glm::vec3(0.0F, 1.0F, 0.0F))};
+}
+
+renderer::Scene build() {
+    renderer::Scene scene;
+    scene.name = "figures";
+    figures::add_materials(scene);
+    figures::add_to_scene(scene, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
+    figures::add_to_scene(scene, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
+    figures::add_surroundings(scene);
+    const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
+        renderer::Camera result;
+        result.name = name;
+        result.position_m = from;
+        result.target_m = at;
+        result.vertical_fov_rad = fov_rad;
+        result.near_m = 0.1F;
+        result.far_m = 30.0F;
+        return result;
+    };
+    scene.cameras = {camera("pair", {0.05F, 1.35F, 3.65F}, {0.0F, 0.93F, 0.0F}, 0.52F),
+                     camera("close", {0.05F, 1.56F, 1.95F}, {0.0F, 1.42F, 0.0F}, 0.46F)};
+    return scene;
+}
+
+renderer::Lighting lighting(Validity validity) {
+    renderer::Lighting result;
+    renderer::SkyColours sky;
+    sky.towards_sun = kTowardsSun;
+    sky.zenith = {0.42F, 0.52F, 0.72F};
+    sky.horizon = {0.85F, 0.84F, 0.80F};
+    sky.ground = {0.34F, 0.30F, 0.25F};
+    sky.cloud_cover = 0.6F;
+    sky.seed = 7;
+    result.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky, 512));
+    if (validity == Validity::kHigh) {
+        result.lights = {{kTowardsSun, glm::vec3(3.6F, 3.3F, 2.8F)}};
+        result.normal_mapping = true;
+        result.tone_mapping = renderer::ToneMapping{1.0F, 3.0F};
+    }
+    return result;
+}
+
+}  // namespace
+
+BuiltinScene make_figures() {
+    return {.id = "figures",
+            .title = "A man and a woman, clothed, standing on worn stone",
+            .stands_in_for = "the two game characters",
+            .levels = {Validity::kModerate, Validity::kHigh},
+            .cameras = {"pair", "close"},
+            .build = build,
+            .lighting = lighting};
+}
+
+}  // namespace obscura::stimuli

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "stimuli/scenes/figures/figure.h"
+#include "stimuli/scenes/support/noise.h"
+
+namespace obscura::stimuli::figures {
+namespace {
+
+constexpr std::array kSides{-1.0F, 1.0F};
+constexpr glm::vec3 kJacketColour{0.115F, 0.125F, 0.085F};
+constexpr glm::vec3 kTrouserColour{0.25F, 0.20F, 0.135F};
+constexpr glm::vec3 kLeatherColour{0.075F, 0.048F, 0.030F};
+constexpr glm::vec3 kSkinColour{0.58F, 0.38F, 0.29F};
+
+/// Joints of the pose: weight on the right leg, the left hand on the strap.
+const glm::vec3 kHipRight{-0.092F, 0.930F, 0.000F}, kKneeRight{-0.112F, 0.505F, 0.020F},
+    kAnkleRight{-0.118F, 0.085F, -0.020F};
+const glm::vec3 kHipLeft{0.092F, 0.925F, 0.000F}, kKneeLeft{0.150F, 0.500F, 0.065F},
+    kAnkleLeft{0.185F, 0.085F, 0.035F};
+const glm::vec3 kShoulderRight{-0.188F, 1.452F, -0.015F}, kElbowRight{-0.272F, 1.172F, -0.045F},
+    kWristRight{-0.275F, 0.930F, 0.050F};
+const glm::vec3 kShoulderLeft{0.188F, 1.452F, -0.015F}, kElbowLeft{0.282F, 1.190F, 0.005F},
+    kWristLeft{0.165F, 1.275F, 0.178F};
+
+glm::vec3 along(const glm::vec3& a, const glm::vec3& b, float t) { return a + (b - a) * t; }
+
+Sculpture torso(const Placed& at) {
+    Sculpture s;
+    const auto blob = [&](float x, float y, float z, const glm::vec3& radii, float blend) {
+        s.add(ellipsoid(at(x, y, z), radii, at.axes), {blend, kJacketColour, true});
+    };
+    blob(0.0F, 1.300F, -0.008F, {0.186F, 0.190F, 0.122F}, 0.0F);
+    blob(0.0F, 1.100F, 0.004F, {0.166F, 0.150F, 0.120F}, 0.06F);
+    for (const float x : kSides) {
+        blob(x * 0.082F, 1.350F, 0.066F, {0.088F, 0.070F, 0.050F}, 0.04F);
+        blob(x * 0.090F, 1.340F, -0.075F, {0.085F, 0.110F, 0.055F}, 0.04F);
+        s.add(round_cone(at(x * 0.080F, 1.478F, -0.030F), 0.062F, at(x * 0.185F, 1.452F, -0.015F),
+                         0.066F),
+              {0.04F, kJacketColour, true});
+        s.add(round_cone(at(x * 0.040F, 1.535F, -0.040F), 0.040F, at(x * 0.140F, 1.485F, -0.030F),
+                         0.045F),
+              {0.03F, kJacketColour, true});
+    }
+    // The blouson hangs over its hem.
+    blob(0.0F, 1.045F, 0.004F, {0.176F, 0.062F, 0.130F}, 0.03F);
+    return s;
+}
+
+void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
+                const glm::vec3& elbow, const glm::vec3& wrist, float inner_rad,
+                std::uint32_t seed) {
+    const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
+    const float upper = glm::length(elbow - shoulder);
+    const float lower = glm::length(wrist - elbow);
+    const glm::vec3 cuff = along(elbow, wrist, 0.86F);
+    const Curve arm = make_curve({{p(along(shoulder, elbow, -0.10F)), 0.062F, 0.0F},
+                                  {p(along(shoulder, elbow, 0.25F)), 0.066F, 0.0F},
+                                  {p(along(shoulder, elbow, 0.70F)), 0.058F, 0.0F},
+                                  {p(elbow), 0.056F, 0.0F},
+                                  {p(along(elbow, wrist, 0.30F)), 0.055F, 0.0F},
+                                  {p(along(elbow, wrist, 0.68F)), 0.048F, 0.0F},
+                                  {p(cuff), 0.044F, 0.0F}},
+                                 7, at.axes[2]);
+    jacket.add(
+        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0064F, 0.042F, 0.30F},
+                          {0.10F * upper, 0.09F, 2.4F, 0.0042F, 0.048F, 0.25F},
+                          {0.55F * upper, 0.10F, inner_rad + 1.5F, 0.0040F, 0.055F, 0.40F},
+                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
+                         seed)),
+        {0.022F, kJacketColour, true});
+    // Ribbed cuff.
+    const Curve band = make_curve({{p(along(elbow, wrist, 0.80F)), 0.041F, 0.0F},
+                                   {p(along(elbow, wrist, 0.95F)), 0.037F, 0.0F}},
+                                  4, at.axes[2]);
+    const Relief ribs = [](const TubePoint& q) { return 0.0011F * std::sin(q.angle_rad * 26.0F); };
+    jacket.add(tube(band, {false, ribs, 0.0012F}), {0.003F, kJacketColour * 0.7F, true});
+}
+
+void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
+    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid;
+    jacket = core;
+    jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
+                {0.012F, kJacketColour, false});
+    Sculpture hem;
+    hem.add(ellipsoid(at(0.0F, 0.990F, 0.000F), {0.170F, 0.20F, 0.124F}, at.axes));
+    hem.keep(rounded_box(at(0.0F, 0.985F, 0.0F), {0.3F, 0.030F, 0.3F}, 0.006F, at.axes),
+             {0.004F, {}, false});
+    jacket.add(as_shape(hem), {0.004F, kJacketColour * 0.7F, true});
+    add_sleeve(jacket, at, kShoulderRight, kElbowRight, kWristRight, 0.3F, 101);
+    add_sleeve(jacket, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.9F, 202);
+    // Collar: stands at the neck and falls open in front.
+    const Curve collar = make_curve({{at(0.030F, 1.475F, 0.078F), 0.008F, 0.022F},
+                                     {at(0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
+                                     {at(0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
+                                     {at(0.0F, 1.560F, -0.088F), 0.009F, 0.028F},
+                                     {at(-0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
+                                     {at(-0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
+                                     {at(-0.030F, 1.475F, 0.078F), 0.008F, 0.022F}},
+                                    7, at.axes[1]);
+    Curve standing = collar;
+    for (CurvePoint& point : standing) {
+        const glm::vec3 out = point.position_m - at(0.0F, 1.44F, -0.02F);
+        point.normal = glm::normalize(out - at.axes[1] * (0.55F * glm::dot(out, at.axes[1])));
+    }
+    rebuild_frames(standing);
+    jacket.carve(round_cone(at(0.0F, 1.50F, -0.02F), 0.062F, at(0.0F, 1.62F, 0.01F), 0.075F),
+                 {0.006F, kJacketColour, false});
+    jacket.add(tube(standing), {0.006F, kJacketColour * 0.85F, true});
+    // Zip and placket, yoke seams and two flapped pockets.
+    jacket.add(layer(core, 0.0065F,
+                     rounded_box(at(0.0F, 1.22F, 0.12F), {0.017F, 0.26F, 0.12F}, 0.004F, at.axes)),
+               {0.002F, kJacketColour * 0.9F, true});
+    for (const float x : kSides) {
+        jacket.add(layer(core, 0.0075F,
+                         rounded_box(at(x * 0.095F, 1.335F, 0.14F), {0.048F, 0.055F, 0.10F}, 0.008F,
+                                     at.axes)),
+                   {0.003F, kJacketColour, true});
+        jacket.add(layer(core, 0.0125F,
+                         rounded_box(at(x * 0.095F, 1.378F, 0.14F), {0.051F, 0.018F, 0.10F}, 0.006F,
+                                     at.axes)),
+                   {0.002F, kJacketColour * 0.85F, true});
+    }
+    jacket.displace(
+        {[at](const glm::vec3& world) {
+             const glm::vec3 p = (world - at.origin_m) * at.axes;
+             const float waist = std::exp(-std::pow((p.y - 1.065F) / 0.070F, 2.0F));
+             const float warp = gradient_noise(glm::vec3(p.x * 5.0F, p.y * 5.0F, p.z * 5.0F), 41);
+             const float rolls = std::sin((p.y - 0.25F * std::abs(p.x)) * 135.0F + 4.0F * warp);
+             const float drape =
+                 gradient_noise(glm::vec3(p.x * 16.0F + p.y * 5.0F, p.y * 4.0F, p.z * 16.0F), 43);
+             const float body = std::clamp((0.20F - std::abs(p.x)) / 0.05F, 0.0F, 1.0F) *
+                                std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
+             return body *
+                    (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
+         },
+         0.010F});
+}
+
+void add_undershirt(Figure& man, const Placed& at) {
+    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0080F, 0.08F).solid;
+    const glm::vec3 colour(0.10F, 0.10F, 0.105F);
+    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes),
+          {0.0F, colour, true});
+    s.keep(
+        half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))),
+        {0.008F, colour, false});
+}
+
+void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
+             const glm::vec3& ankle, std::uint32_t seed) {
+    const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
+    const float upper = glm::length(knee - hip);
+    const float lower = glm::length(ankle - knee);
+    const glm::vec3 calf(0.0F, 0.0F, -0.012F);
+    const Curve leg = make_curve({{p(along(hip, knee, -0.06F)), 0.098F, 0.0F},
+                                  {p(along(hip, knee, 0.15F)), 0.101F, 0.0F},
+                                  {p(along(hip, knee, 0.55F)), 0.090F, 0.0F},
+                                  {p(knee), 0.074F, 0.0F},
+                                  {p(along(knee, ankle, 0.28F) + calf), 0.074F, 0.0F},
+                                  {p(along(knee, ankle, 0.58F) + calf), 0.072F, 0.0F},
+                                  {p(along(knee, ankle, 0.74F)), 0.070F, 0.0F}},
+                                 7, at.axes[2]);
+    s.add(tube(leg, folded({{0.02F, 0.09F, 0.0F, 0.0070F, 0.045F, 0.35F},
+                            {1.02F * upper, 0.085F, 3.1F, 0.0075F, 0.040F, 0.35F},
+                            {0.90F * upper, 0.05F, 0.0F, 0.0045F, 0.032F, 0.20F},
+                            {0.50F * upper, 0.12F, 1.8F, 0.0040F, 0.070F, 0.40F},
+                            {upper + 0.64F * lower, 0.085F, 0.6F, 0.0095F, 0.042F, 0.70F}},
+                           seed)),
+          {0.02F, kTrouserColour, true});
+}
+
+void add_trousers(Figure& man, const Placed& at) {
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0095F, 0.08F);
+    Sculpture& s = part.solid;
+    s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
+          {0.0F, kTrouserColour, true});
+    for (const float x : kSides) {
+        s.add(ellipsoid(at(x * 0.075F, 0.915F, -0.055F), {0.088F, 0.095F, 0.078F}, at.axes),
+              {0.04F, kTrouserColour, true});
+    }
+    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
+           {0.006F, kTrouserColour, false});
+    add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 303);
+    add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 404);
+    // Cargo pockets with flaps, outside on the thighs; a fly and slant pockets.
+    for (const float x : kSides) {
+        const glm::vec3 hip = x < 0.0F ? kHipRight : kHipLeft;
+        const glm::vec3 knee = x < 0.0F ? kKneeRight : kKneeLeft;
+        const glm::vec3 middle = along(hip, knee, 0.58F) + glm::vec3(x * 0.072F, 0.0F, 0.012F);
+        const glm::mat3 axes = at.axes * axes_from(glm::normalize(glm::vec3(x * 0.9F, 0.05F, 0.3F)),
+                                                   glm::normalize(hip - knee));
+        s.add(rounded_box(at(middle.x, middle.y, middle.z), {0.062F, 0.080F, 0.030F}, 0.014F, axes),
+              {0.006F, kTrouserColour, true});
+        const glm::vec3 flap = along(hip, knee, 0.45F) + glm::vec3(x * 0.078F, 0.0F, 0.012F);
+        s.add(rounded_box(at(flap.x, flap.y, flap.z), {0.066F, 0.024F, 0.032F}, 0.008F, axes),
+              {0.002F, kTrouserColour * 0.88F, true});
+        s.carve(tube(make_curve({{at(x * 0.150F, 0.985F, 0.075F), 0.0035F, 0.0F},
+                                 {at(x * 0.168F, 0.900F, 0.045F), 0.0035F, 0.0F}},
+                                4, at.axes[2])),
+                {0.006F, kTrouserColour, false});
+    }
+    s.add(tube(make_curve({{at(0.004F, 0.985F, 0.118F), 0.004F, 0.014F},
+                           {at(0.003F, 0.92F, 0.118F), 0.004F, 0.014F},
+                           {at(0.0F, 0.865F, 0.085F), 0.004F, 0.006F}},
+                          5, at.axes[2])),
+          {0.006F, kTrouserColour, true});
+    s.displace({[at](const glm::vec3& world) {
+                    const glm::vec3 p = (world - at.origin_m) * at.axes;
+                    // Tension folds run from the crotch out to the hips.
+                    const float seat = std::exp(-std::pow((p.y - 0.86F) / 0.055F, 2.0F));
+                    const float rays =
+                        std::sin(26.0F * std::atan2(p.y - 0.83F, std::abs(p.x) + 0.05F) +
+                                 2.0F * gradient_noise(p * 9.0F, 51));
+                    return 0.0045F * seat * rays;
+                },
+                0.006F});
+}
+
+void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0072F, 0.12F);
+    Sculpture& s = part.solid;
+    const StrokeStyle leather{0.001F, kLeatherColour, true};
+    for (const float x : kSides) {
+        const glm::mat3 slant =
+            at.axes * axes_from(glm::vec3(0.0F, 0.0F, 1.0F),
+                                glm::normalize(glm::vec3(x * 0.10F, 1.0F, 0.0F)));
+        s.add(
+            layer(core, 0.0165F,
+                  rounded_box(at(x * 0.122F, 1.29F, 0.0F), {0.021F, 0.30F, 0.30F}, 0.004F, slant)),
+            leather);
+    }
+    s.add(layer(core, 0.0145F,
+                rounded_box(at(0.0F, 1.245F, 0.0F), {0.30F, 0.017F, 0.30F}, 0.004F, at.axes)),
+          leather);
+    // Belt, pouches and buckles.
+    s.add(tube(make_curve({{at(0.0F, 0.962F, 0.124F), 0.006F, 0.023F},
+                           {at(0.122F, 0.960F, 0.086F), 0.006F, 0.023F},
+                           {at(0.174F, 0.958F, -0.010F), 0.006F, 0.023F},
+                           {at(0.110F, 0.960F, -0.105F), 0.006F, 0.023F},
+                           {at(0.0F, 0.962F, -0.132F), 0.006F, 0.023F},
+                           {at(-0.110F, 0.960F, -0.105F), 0.006F, 0.023F},
+                           {at(-0.174F, 0.958F, -0.010F), 0.006F, 0.023F},
+                           {at(-0.122F, 0.960F, 0.086F), 0.006F, 0.023F},
+                           {at(0.0F, 0.962F, 0.124F), 0.006F, 0.023F}},
+                          8, at.axes[2]),
+               {true, nullptr, 0.0F}),
+          leather);
+    struct Pouch {
+        glm::vec3 middle;
+        float turn;
+        glm::vec3 half;
+    };
+    for (const Pouch& pouch :
+         {Pouch{{0.098F, 0.935F, 0.118F}, 0.55F, {0.036F, 0.047F, 0.024F}},
+          Pouch{{0.165F, 0.930F, 0.058F}, 1.15F, {0.036F, 0.050F, 0.024F}},
+          Pouch{{-0.168F, 0.928F, 0.052F}, -1.15F, {0.042F, 0.055F, 0.026F}}}) {
+        const glm::vec3 out(std::sin(pouch.turn), 0.0F, std::cos(pouch.turn));
+        const glm::mat3 axes = at.axes * axes_from(out, {0.0F, 1.0F, 0.0F});
+        const glm::vec3 m = pouch.middle;
+        s.add(rounded_box(at(m.x, m.y, m.z), pouch.half, 0.009F, axes),
+              {0.001F, kLeatherColour * 1.25F, true});
+        const glm::vec3 lid = m + glm::vec3(0.0F, 0.55F * pouch.half.y, 0.0F) + out * 0.004F;
+        s.add(rounded_box(at(lid.x, lid.y, lid.z), pouch.half * glm::vec3(1.06F, 0.46F, 1.02F),
+                          0.007F, axes),
+              {0.001F, kLeatherColour * 1.1F, true});
+        const glm::vec3 stud =
+            m + out * (pouch.half.z + 0.005F) + glm::vec3(0.0F, 0.12F * pouch.half.y, 0.0F);
+        s.add(ball(at(stud.x, stud.y, stud.z), 0.0055F),
+              {0.001F, glm::vec3(0.42F, 0.36F, 0.22F), true});
+    }
+    const glm::vec3 brass(0.45F, 0.38F, 0.22F);
+    Sculpture buckle;
+    buckle.add(rounded_box(at(0.0F, 0.962F, 0.130F), {0.030F, 0.025F, 0.006F}, 0.004F, at.axes));
+    buckle.carve(rounded_box(at(0.0F, 0.962F, 0.130F), {0.021F, 0.016F, 0.02F}, 0.003F, at.axes));
+    s.add(as_shape(buckle), {0.0F, brass, true});
+    s.add(round_cone(at(-0.020F, 0.962F, 0.135F), 0.0032F, at(0.028F, 0.962F, 0.135F), 0.0028F),
+          {0.0F, brass, true});
+    // Holster strap round the right thigh.
+    const glm::vec3 thigh = along(kHipRight, kKneeRight, 0.27F);
+    Sculpture band;
+    band.add(round_cone(at(thigh.x, thigh.y, thigh.z), 0.112F,
+                        at(kKneeRight.x, kKneeRight.y, kKneeRight.z), 0.085F));
+    band.keep(
+        rounded_box(at(thigh.x, thigh.y - 0.015F, thigh.z), {0.2F, 0.018F, 0.2F}, 0.004F, at.axes),
+        {0.002F, {}, false});
+    s.add(as_shape(band), leather);
+    s.add(rounded_box(at(thigh.x - 0.118F, thigh.y + 0.02F, thigh.z), {0.020F, 0.085F, 0.045F},
+                      0.014F, at.axes),
+          {0.004F, kLeatherColour, true});
+    s.add(
+        rounded_box(at(thigh.x - 0.120F, thigh.y + 0.105F, thigh.z - 0.016F),
+                    {0.014F, 0.045F, 0.022F}, 0.008F,
+                    at.axes * axes_from(glm::vec3(0.0F, 0.3F, 1.0F), glm::vec3(0.0F, 1.0F, -0.3F))),
+        {0.002F, kLeatherColour * 0.5F, true});
+}
+
+void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
+    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    for (const auto& [elbow, wrist] :
+         {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
+        const glm::vec3 inside = along(elbow, wrist, 0.80F);
+        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z),
+                            0.0265F),
+                 {0.010F, colour, true});
+    }
+    const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.22F));
+    add_hand(skin,
+             {at(kWristRight.x, kWristRight.y, kWristRight.z),
+              axes_from(down, at.axes * glm::vec3(-1.0F, 0.0F, 0.12F))},
+             1.0F, 1.0F, {{0.30F, 0.42F, 0.28F}, 0.05F, 0.45F}, colour);
+    const glm::vec3 grip = at.axes * glm::normalize(glm::vec3(-0.66F, 0.60F, -0.10F));
+    add_hand(skin,
+             {at(kWristLeft.x, kWristLeft.y, kWristLeft.z),
+              axes_from(grip, at.axes * glm::vec3(0.25F, 0.35F, 1.0F))},
+             1.0F, 1.0F, {{0.85F, 1.25F, 0.8F}, 0.02F, 0.6F}, colour);
+}
+
+}  // namespace
+
+Figure make_man(const Placed& at) {
+    Figure man;
+    man.name = "man";
+    const Sculpture core = torso(at);
+    add_jacket(man, at, core);
+    add_undershirt(man, at);
+    add_trousers(man, at);
+    add_harness(man, at, core);
+    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
+    add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
+    add_hands(man, at, kSkinColour);
+    const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(0.16F, -0.02F, 1.0F));
+    const Placed head{at(0.0F, 1.680F, 0.030F),
+                      axes_from(gaze, at.axes * glm::vec3(0.03F, 1.0F, 0.0F))};
+    FaceTraits traits;
+    traits.skin = kSkinColour;
+    traits.brow = 1.3F;
+    traits.jaw = 1.02F;
+    traits.neck = 1.08F;
+    add_head(man, head, 1.0F, traits);
+    add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});
+    return man;
+}
+
+}  // namespace obscura::stimuli::figures

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "stimuli/scenes/figures/figure.h"
+#include "stimuli/scenes/support/noise.h"
+
+namespace obscura::stimuli::figures {
+namespace {
+
+constexpr std::array kSides{-1.0F, 1.0F};
+constexpr glm::vec3 kShirtColour{0.58F, 0.55F, 0.49F};
+constexpr glm::vec3 kVestColour{0.16F, 0.075F, 0.045F};
+constexpr glm::vec3 kTrouserColour{0.075F, 0.085F, 0.115F};
+constexpr glm::vec3 kLeatherColour{0.11F, 0.062F, 0.035F};
+constexpr glm::vec3 kSkinColour{0.60F, 0.40F, 0.31F};
+
+/// Joints of the pose: weight on the left leg, the left hand on the hip.
+const glm::vec3 kHipRight{-0.090F, 0.868F, 0.000F}, kKneeRight{-0.125F, 0.472F, 0.060F},
+    kAnkleRight{-0.160F, 0.080F, 0.020F};
+const glm::vec3 kHipLeft{0.092F, 0.876F, 0.000F}, kKneeLeft{0.085F, 0.475F, 0.012F},
+    kAnkleLeft{0.070F, 0.080F, -0.025F};
+const glm::vec3 kShoulderRight{-0.155F, 1.368F, -0.012F}, kElbowRight{-0.220F, 1.105F, -0.040F},
+    kWristRight{-0.222F, 0.882F, 0.045F};
+const glm::vec3 kShoulderLeft{0.155F, 1.372F, -0.012F}, kElbowLeft{0.335F, 1.165F, -0.075F},
+    kWristLeft{0.207F, 1.002F, 0.030F};
+
+glm::vec3 along(const glm::vec3& a, const glm::vec3& b, float t) { return a + (b - a) * t; }
+
+Sculpture torso(const Placed& at) {
+    Sculpture s;
+    const auto blob = [&](float x, float y, float z, const glm::vec3& radii, float blend) {
+        s.add(ellipsoid(at(x, y, z), radii, at.axes), {blend, kShirtColour, true});
+    };
+    blob(0.0F, 1.255F, -0.006F, {0.146F, 0.165F, 0.100F}, 0.0F);
+    blob(0.0F, 1.085F, 0.000F, {0.122F, 0.130F, 0.092F}, 0.06F);
+    blob(0.0F, 0.955F, -0.006F, {0.158F, 0.100F, 0.112F}, 0.06F);
+    for (const float x : kSides) {
+        blob(x * 0.070F, 1.250F, 0.074F, {0.064F, 0.062F, 0.056F}, 0.035F);
+        blob(x * 0.075F, 1.270F, -0.062F, {0.070F, 0.100F, 0.045F}, 0.04F);
+        s.add(round_cone(at(x * 0.065F, 1.388F, -0.024F), 0.050F, at(x * 0.152F, 1.368F, -0.012F),
+                         0.053F),
+              {0.035F, kShirtColour, true});
+        s.add(round_cone(at(x * 0.032F, 1.435F, -0.034F), 0.034F, at(x * 0.115F, 1.395F, -0.024F),
+                         0.036F),
+              {0.03F, kShirtColour, true});
+    }
+    return s;
+}
+
+void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
+                const glm::vec3& elbow, const glm::vec3& wrist, float inner_rad,
+                std::uint32_t seed) {
+    const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
+    const float upper = glm::length(elbow - shoulder);
+    const Curve arm = make_curve({{p(along(shoulder, elbow, -0.10F)), 0.049F, 0.0F},
+                                  {p(along(shoulder, elbow, 0.25F)), 0.054F, 0.0F},
+                                  {p(along(shoulder, elbow, 0.70F)), 0.050F, 0.0F},
+                                  {p(elbow), 0.048F, 0.0F},
+                                  {p(along(elbow, wrist, 0.30F)), 0.046F, 0.0F}},
+                                 7, at.axes[2]);
+    shirt.add(tube(arm, folded({{1.08F * upper, 0.085F, inner_rad, 0.0052F, 0.036F, 0.35F},
+                                {0.10F * upper, 0.08F, 2.6F, 0.0036F, 0.042F, 0.25F},
+                                {0.55F * upper, 0.09F, inner_rad + 1.5F, 0.0040F, 0.050F, 0.40F}},
+                               seed)),
+              {0.018F, kShirtColour, true});
+    // The sleeve is rolled up: two turns of cloth above the bare forearm.
+    for (int i = 0; i < 2; ++i) {
+        const float t = 0.24F + 0.12F * static_cast<float>(i);
+        const Curve roll = make_curve(
+            {{p(along(elbow, wrist, t)), 0.0505F - 0.002F * static_cast<float>(i), 0.0F},
+             {p(along(elbow, wrist, t + 0.10F)), 0.0490F - 0.002F * static_cast<float>(i), 0.0F}},
+            3, at.axes[2]);
+        shirt.add(tube(roll, folded({{0.01F, 0.05F, 1.0F, 0.0025F, 0.030F, 0.8F}}, seed + 7)),
+                  {0.003F, kShirtColour, true});
+    }
+    shirt.carve(
+        round_cone(p(along(elbow, wrist, 0.53F)), 0.036F, p(along(elbow, wrist, 0.80F)), 0.040F),
+        {0.003F, kShirtColour * 0.7F, true});
+}
+
+void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
+    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0084F, 0.08F).solid;
+    shirt = core;
+    shirt.keep(half_space(at(0.0F, 0.925F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
+               {0.004F, kShirtColour, false});
+    add_sleeve(shirt, at, kShoulderRight, kElbowRight, kWristRight, 0.4F, 505);
+    add_sleeve(shirt, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.6F, 606);
+    // Open neck with a turned-down collar.
+    shirt.carve(round_cone(at(0.0F, 1.420F, 0.000F), 0.052F, at(0.0F, 1.500F, 0.020F), 0.062F),
+                {0.005F, kShirtColour, false});
+    shirt.carve(ellipsoid(at(0.0F, 1.360F, 0.105F), {0.024F, 0.068F, 0.050F}, at.axes),
+                {0.006F, kShirtColour, false});
+    // Button band.
+    shirt.add(layer(core, 0.005F,
+                    rounded_box(at(0.0F, 1.13F, 0.12F), {0.014F, 0.19F, 0.12F}, 0.003F, at.axes)),
+              {0.002F, kShirtColour, true});
+    shirt.displace(
+        {[at](const glm::vec3& world) {
+             const glm::vec3 p = (world - at.origin_m) * at.axes;
+             const float waist = std::exp(-std::pow((p.y - 1.00F) / 0.075F, 2.0F));
+             const float warp = gradient_noise(p * 6.0F, 61);
+             const float rolls = std::sin((p.y + 0.30F * std::abs(p.x)) * 150.0F + 4.0F * warp);
+             const float drape =
+                 gradient_noise(glm::vec3(p.x * 18.0F - p.y * 6.0F, p.y * 4.0F, p.z * 18.0F), 63);
+             const float body = std::clamp((0.165F - std::abs(p.x)) / 0.04F, 0.0F, 1.0F) *
+                                std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
+             return body * (0.0040F * waist * rolls * (0.5F + std::abs(warp)) + 0.0032F * drape);
+         },
+         0.008F});
+}
+
+void add_collar(Figure& woman, const Placed& at) {
+    Sculpture& collar = woman.part("collar", Cloth::kShirt, 0.0045F, 0.08F).solid;
+    for (const float x : kSides) {
+        Curve wing = make_curve({{at(0.0F, 1.446F, -0.074F), 0.0075F, 0.021F},
+                                 {at(x * 0.052F, 1.440F, -0.042F), 0.0075F, 0.022F},
+                                 {at(x * 0.066F, 1.418F, 0.015F), 0.0075F, 0.024F},
+                                 {at(x * 0.050F, 1.380F, 0.066F), 0.0075F, 0.026F},
+                                 {at(x * 0.046F, 1.335F, 0.098F), 0.0065F, 0.014F}},
+                                6, at.axes[1]);
+        for (CurvePoint& point : wing) {
+            const glm::vec3 out = point.position_m - at(0.0F, 1.33F, -0.02F);
+            point.normal = glm::normalize(out);
+        }
+        rebuild_frames(wing);
+        collar.add(tube(wing), {0.004F, kShirtColour, true});
+    }
+}
+
+void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
+    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    Sculpture body;
+    body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
+    body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
+              {0.004F, {}, false});
+    body.carve(grown(as_shape(core), -0.015F), {0.0F, kVestColour, false});
+    // Armholes, neck and the open front, which widens downwards.
+    for (const float x : kSides) {
+        body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
+                   {0.003F, kVestColour, false});
+    }
+    body.carve(round_cone(at(0.0F, 1.400F, 0.02F), 0.072F, at(0.0F, 1.52F, 0.02F), 0.080F),
+               {0.003F, kVestColour, false});
+    body.carve(tube(make_curve({{at(0.0F, 1.42F, 0.10F), 0.052F, 0.08F},
+                                {at(0.0F, 1.30F, 0.12F), 0.044F, 0.08F},
+                                {at(0.0F, 1.15F, 0.12F), 0.038F, 0.08F},
+                                {at(0.0F, 0.98F, 0.12F), 0.062F, 0.08F}},
+                               6, at.axes[0])),
+               {0.003F, kVestColour, false});
+    vest.add(as_shape(body), {0.0F, kVestColour, true});
+    // Seams and pocket welts stand out a little.
+    for (const float x : kSides) {
+        Sculpture seam;
+        seam.add(grown(as_shape(core), 0.0178F));
+        seam.keep(
+            rounded_box(at(x * 0.098F, 1.19F, 0.10F), {0.0035F, 0.165F, 0.14F}, 0.002F, at.axes),
+            {0.002F, {}, false});
+        seam.carve(grown(as_shape(core), 0.004F));
+        vest.add(as_shape(seam), {0.003F, kVestColour * 0.8F, true});
+        Sculpture welt;
+        welt.add(grown(as_shape(core), 0.0200F));
+        welt.keep(
+            rounded_box(at(x * 0.090F, 1.100F, 0.12F), {0.036F, 0.011F, 0.10F}, 0.004F, at.axes),
+            {0.002F, {}, false});
+        welt.carve(grown(as_shape(core), 0.004F));
+        vest.add(as_shape(welt), {0.002F, kVestColour * 0.8F, true});
+    }
+}
+
+void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
+             const glm::vec3& ankle, std::uint32_t seed) {
+    const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
+    const float upper = glm::length(knee - hip);
+    const glm::vec3 calf(0.0F, 0.0F, -0.014F);
+    const Curve leg = make_curve({{p(along(hip, knee, -0.06F)), 0.092F, 0.0F},
+                                  {p(along(hip, knee, 0.15F)), 0.092F, 0.0F},
+                                  {p(along(hip, knee, 0.55F)), 0.076F, 0.0F},
+                                  {p(knee), 0.058F, 0.0F},
+                                  {p(along(knee, ankle, 0.28F) + calf), 0.057F, 0.0F},
+                                  {p(along(knee, ankle, 0.52F) + calf), 0.050F, 0.0F}},
+                                 7, at.axes[2]);
+    s.add(tube(leg, folded({{0.02F, 0.075F, 0.0F, 0.0050F, 0.036F, 0.35F},
+                            {1.02F * upper, 0.065F, 3.1F, 0.0055F, 0.030F, 0.35F},
+                            {0.88F * upper, 0.05F, 0.2F, 0.0030F, 0.026F, 0.30F},
+                            {0.50F * upper, 0.12F, 1.8F, 0.0025F, 0.060F, 0.40F}},
+                           seed)),
+          {0.02F, kTrouserColour, true});
+}
+
+void add_trousers(Figure& woman, const Placed& at) {
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0088F, 0.06F).solid;
+    s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
+          {0.0F, kTrouserColour, true});
+    s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
+           {0.006F, kTrouserColour, false});
+    for (const float x : kSides) {
+        s.add(ellipsoid(at(x * 0.076F, 0.868F, -0.052F), {0.088F, 0.090F, 0.082F}, at.axes),
+              {0.04F, kTrouserColour, true});
+    }
+    add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 707);
+    add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 808);
+    for (const float x : kSides) {
+        s.carve(tube(make_curve({{at(x * 0.120F, 0.945F, 0.085F), 0.003F, 0.0F},
+                                 {at(x * 0.150F, 0.905F, 0.060F), 0.003F, 0.0F},
+                                 {at(x * 0.166F, 0.895F, 0.020F), 0.003F, 0.0F}},
+                                5, at.axes[2])),
+                {0.005F, kTrouserColour, false});
+    }
+    s.add(tube(make_curve({{at(0.004F, 0.935F, 0.112F), 0.004F, 0.012F},
+                           {at(0.003F, 0.88F, 0.108F), 0.004F, 0.012F},
+                           {at(0.0F, 0.83F, 0.080F), 0.004F, 0.006F}},
+                          5, at.axes[2])),
+          {0.006F, kTrouserColour, true});
+    s.displace({[at](const glm::vec3& world) {
+                    const glm::vec3 p = (world - at.origin_m) * at.axes;
+                    const float seat = std::exp(-std::pow((p.y - 0.815F) / 0.050F, 2.0F));
+                    const float rays =
+                        std::sin(26.0F * std::atan2(p.y - 0.785F, std::abs(p.x) + 0.05F) +
+                                 2.0F * gradient_noise(p * 9.0F, 71));
+                    return 0.0036F * seat * rays;
+                },
+                0.005F});
+}
+
+void add_belt(Figure& woman, const Placed& at) {
+    Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0052F, 0.12F).solid;
+    const StrokeStyle leather{0.001F, kLeatherColour, true};
+    const float tilt = 0.018F;
+    const auto loop = [&](float y, float grow, float half, float slant) {
+        std::vector<Knot> knots;
+        for (int i = 0; i <= 12; ++i) {
+            const float angle = 2.0F * 3.1415926F * static_cast<float>(i) / 12.0F;
+            knots.push_back({at((0.152F + grow) * std::sin(angle), y - slant * std::sin(angle),
+                                -0.006F + (0.113F + grow) * std::cos(angle)),
+                             0.0055F, half});
+        }
+        return make_curve(knots, 4, at.axes[2]);
+    };
+    const auto outwards = [&](Curve curve) {
+        for (CurvePoint& point : curve) {
+            glm::vec3 out = point.position_m - at(0.0F, 0.0F, 0.0F);
+            out -= at.axes[1] * glm::dot(out, at.axes[1]);
+            point.normal = glm::normalize(out);
+        }
+        rebuild_frames(curve);
+        return curve;
+    };
+    s.add(tube(outwards(loop(0.952F, 0.006F, 0.019F, 0.0F)), {true, nullptr, 0.0F}), leather);
+    s.add(tube(outwards(loop(0.915F, 0.020F, 0.015F, tilt)), {true, nullptr, 0.0F}),
+          {0.001F, kLeatherColour * 0.7F, true});
+    const glm::vec3 steel(0.46F, 0.45F, 0.43F);
+    Sculpture buckle;
+    buckle.add(rounded_box(at(0.0F, 0.952F, 0.118F), {0.025F, 0.022F, 0.006F}, 0.004F, at.axes));
+    buckle.carve(rounded_box(at(0.0F, 0.952F, 0.118F), {0.016F, 0.013F, 0.02F}, 0.003F, at.axes));
+    s.add(as_shape(buckle), {0.0F, steel, true});
+    s.add(round_cone(at(-0.014F, 0.952F, 0.122F), 0.003F, at(0.022F, 0.952F, 0.122F), 0.0026F),
+          {0.0F, steel, true});
+    // A bag on the right hip, hanging from the second belt.
+    const glm::mat3 axes =
+        at.axes * axes_from(glm::normalize(glm::vec3(-0.95F, 0.0F, 0.30F)), {0.0F, 1.0F, 0.0F});
+    s.add(rounded_box(at(-0.196F, 0.850F, 0.036F), {0.056F, 0.060F, 0.026F}, 0.016F, axes),
+          {0.001F, kLeatherColour * 1.2F, true});
+    s.add(rounded_box(at(-0.199F, 0.884F, 0.037F), {0.059F, 0.030F, 0.028F}, 0.012F, axes),
+          {0.001F, kLeatherColour, true});
+    s.add(ball(at(-0.228F, 0.858F, 0.046F), 0.006F), {0.001F, steel, true});
+}
+
+void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
+    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
+    const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
+        skin.add(tube(make_curve({{p(along(elbow, wrist, 0.42F)), 0.0345F, 0.0F},
+                                  {p(along(elbow, wrist, 0.58F)), 0.0330F, 0.0F},
+                                  {p(along(elbow, wrist, 0.80F)), 0.0265F, 0.0F},
+                                  {p(wrist), 0.0225F, 0.0F}},
+                                 6, at.axes[2])),
+                 {0.012F, colour, true});
+    };
+    forearm(kElbowRight, kWristRight);
+    const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.20F));
+    add_hand(skin, {p(kWristRight), axes_from(down, at.axes * glm::vec3(-1.0F, 0.0F, 0.25F))},
+             0.90F, 1.0F, {{0.22F, 0.35F, 0.22F}, 0.05F, 0.35F}, colour);
+    forearm(kElbowLeft, kWristLeft);
+    const glm::vec3 rest = at.axes * glm::normalize(glm::vec3(-0.50F, -0.42F, 0.72F));
+    add_hand(skin, {p(kWristLeft), axes_from(rest, at.axes * glm::vec3(0.80F, 0.25F, 0.55F))},
+             0.90F, -1.0F, {{0.20F, 0.42F, 0.25F}, 0.07F, -0.15F}, colour);
+}
+
+}  // namespace
+
+Figure make_woman(const Placed& at) {
+    Figure woman;
+    woman.name = "woman";
+    const Sculpture core = torso(at);
+    add_shirt(woman, at, core);
+    add_collar(woman, at);
+    add_vest(woman, at, core);
+    add_trousers(woman, at);
+    add_belt(woman, at);
+    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    add_boot(boots, at, kAnkleRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
+    add_boot(boots, at, kAnkleLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
+    add_arms(woman, at, kSkinColour);
+    const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(-0.16F, 0.0F, 1.0F));
+    const Placed head{at(0.0F, 1.578F, 0.026F),
+                      axes_from(gaze, at.axes * glm::vec3(-0.05F, 1.0F, 0.0F))};
+    FaceTraits traits;
+    traits.skin = kSkinColour;
+    traits.lip = {0.46F, 0.18F, 0.155F};
+    traits.brow = 0.5F;
+    traits.jaw = 0.92F;
+    traits.hollow = 0.45F;
+    traits.lips = 1.18F;
+    traits.nose = 0.88F;
+    traits.neck = 0.84F;
+    traits.eyelids = 1.15F;
+    traits.brows = {0.11F, 0.062F, 0.035F};
+    traits.iris = {0.10F, 0.16F, 0.12F};
+    add_head(woman, head, 0.945F, traits);
+    add_ponytail(woman, head, 0.945F, {0.15F, 0.075F, 0.038F});
+    return woman;
+}
+
+}  // namespace obscura::stimuli::figures
