@@ -25,6 +25,9 @@ void Progress::step(std::string_view what) {
     ++done_;
     if (quiet_) return;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+    const bool last = done_ == total_;
+    if (!terminal_ && !last && spent.count() - said_s_ < 1.0) return;
+    said_s_ = spent.count();
     const double left_s =
         spent.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_);
     const std::string line = fmt::format("{} {}/{} {} ({:.1f} s, {:.0f} s left)", title_, done_,

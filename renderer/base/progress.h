@@ -10,7 +10,7 @@
 namespace obscura::base {
 
 /// Progress of long work with the time left, on stderr: one line that is drawn over on a terminal,
-/// plain lines elsewhere, nothing when quiet.
+/// plain lines elsewhere (at most one a second, and the last), nothing when quiet.
 class Progress {
   public:
     Progress(std::string title, std::size_t total, bool quiet);
@@ -26,6 +26,7 @@ class Progress {
     std::string title_;
     std::size_t total_;
     std::size_t done_ = 0;
+    double said_s_ = -1.0;  ///< when the last plain line was written
     bool quiet_;
     bool terminal_;
     std::chrono::steady_clock::time_point start_;

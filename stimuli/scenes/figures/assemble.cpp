@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -66,21 +67,21 @@ class NearField {
 /// How much of the space just above the surface is taken, [0, 1]: where the field grows slower
 /// than the height above the surface, something else is near.
 float occlusion_at(const NearField& field, const glm::vec3& p, const glm::vec3& normal) {
+    constexpr std::array kHeights_m{0.035F, 0.015F, 0.006F};
+    constexpr std::array kWeights{0.26F, 0.33F, 0.41F};
     float sum = 0.0F;
-    float weights = 0.0F;
-    float weight = 1.0F;
-    for (const float height_m : {0.006F, 0.015F, 0.035F}) {
-        const float free_m = field.distance(p + normal * height_m);
-        sum += weight * std::clamp(1.0F - free_m / height_m, 0.0F, 1.0F);
-        weights += weight;
-        weight *= 0.8F;
+    for (std::size_t i = 0; i < kHeights_m.size(); ++i) {
+        const float free_m = field.distance(p + normal * kHeights_m[i]);
+        // A free ball that touches the surface holds the smaller ones, which are free too.
+        if (i == 0 && free_m >= 0.999F * kHeights_m[0]) return 0.0F;
+        sum += kWeights[i] * std::clamp(1.0F - free_m / kHeights_m[i], 0.0F, 1.0F);
     }
-    return sum / weights;
+    return sum;
 }
 
 /// An eyeball with a cornea's bulge left out: white, iris and pupil are painted on its rings.
 renderer::Mesh eyeball(const Eye& eye) {
-    constexpr int kRings = 28;
+    constexpr int kRings = 18;
     std::vector<glm::vec2> profile;
     for (int i = 0; i <= kRings; ++i) {
         // Rings crowd at the front pole, where the iris is.
@@ -95,7 +96,7 @@ renderer::Mesh eyeball(const Eye& eye) {
     // The ball's pole (+Y) becomes the gaze.
     placement.transform = glm::mat4(glm::vec4(axes[0], 0.0F), glm::vec4(axes[2], 0.0F),
                                     glm::vec4(-axes[1], 0.0F), glm::vec4(eye.centre_m, 1.0F));
-    append(whole, revolve(profile, 32), placement);
+    append(whole, revolve(profile, 22), placement);
     paint(whole, [&](const glm::vec3& p, const glm::vec3&) {
         const glm::vec3 way = glm::normalize(p - eye.centre_m);
         const float off = std::acos(std::clamp(glm::dot(way, eye.gaze), -1.0F, 1.0F));

@@ -36,8 +36,8 @@ float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, s
                             0.55F * std::sin(turn + away);
         // No fold runs all the way round: each fades where the noise says so.
         const float broken = std::clamp(0.62F + 1.3F * patchy + 0.5F * side, 0.0F, 1.15F);
-        const float strength = std::exp(-away * away) * broken *
-                               (centre.evenness + (1.0F - centre.evenness) * side);
+        const float strength =
+            std::exp(-away * away) * broken * (centre.evenness + (1.0F - centre.evenness) * side);
         height += 2.0F * centre.height_m * strength * crest(phase);
     }
     return height;

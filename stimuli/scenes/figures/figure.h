@@ -57,6 +57,7 @@ struct Figure {
 /// What makes one face differ from another. Lengths are factors of an average man's.
 struct FaceTraits {
     float jaw = 1.0F;      ///< width of the jaw
+    float hollow = 1.0F;   ///< of the cheeks
     float brow = 1.0F;     ///< strength of the brow ridge
     float lips = 1.0F;     ///< fullness
     float nose = 1.0F;     ///< size
@@ -66,7 +67,6 @@ struct FaceTraits {
     glm::vec3 lip{0.45F, 0.22F, 0.18F};
     glm::vec3 brows{0.08F, 0.05F, 0.035F};
     glm::vec3 iris{0.2F, 0.12F, 0.06F};
-    float stubble = 0.0F;  ///< darkness of the beard's shadow
 };
 /// Face, ears and neck; `at` is the middle of the head at the height of the eyes.
 void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits);

@@ -56,7 +56,7 @@ Displacement strands(float height_m, std::function<float(const glm::vec3&)> fiel
 }  // namespace
 
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0043F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     hair.add(ellipsoid(scalp.local(0.0F, 0.036F, -0.014F),
@@ -118,14 +118,15 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
 }
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0037F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0043F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
     hair.add(ellipsoid(scalp.local(0.0F, 0.037F, -0.013F),
                        scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), at.axes),
              {0.0F, colour, true});
-    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F), scale * glm::vec3(0.068F, 0.050F, 0.058F), at.axes),
+    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F), scale * glm::vec3(0.068F, 0.050F, 0.058F),
+                       at.axes),
              {scale * 0.012F, colour, true});
     hair.carve(ellipsoid(scalp.local(0.0F, -0.030F, 0.090F),
                          scale * glm::vec3(0.0665F, 0.094F, 0.064F), at.axes),
@@ -164,17 +165,17 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
             const float t = static_cast<float>(i);
             hair.add(tube(make_curve(
                          {{scalp.local(x * (0.028F + 0.014F * t), 0.090F, 0.066F), scale * 0.0055F,
-                           scale * 0.0035F},
+                           scale * 0.0048F},
                           {scalp.local(x * (0.060F + 0.008F * t), 0.062F - 0.01F * t,
                                        0.074F - 0.012F * t),
-                           scale * 0.0055F, scale * 0.0035F},
+                           scale * 0.0055F, scale * 0.0048F},
                           {scalp.local(x * (0.074F + 0.004F * t), 0.010F, 0.052F - 0.012F * t),
-                           scale * 0.0045F, scale * 0.003F},
+                           scale * 0.0052F, scale * 0.0048F},
                           {scalp.local(x * (0.072F + 0.003F * t), -0.050F + 0.012F * t,
                                        0.046F - 0.008F * t),
-                           scale * 0.0030F, scale * 0.002F},
+                           scale * 0.0050F, scale * 0.0046F},
                           {scalp.local(x * (0.062F + 0.006F * t), -0.092F + 0.02F * t, 0.052F),
-                           scale * 0.0008F, 0.0F}},
+                           scale * 0.0042F, 0.0F}},
                          5, at.axes[2])),
                      {scale * 0.002F, colour * (1.0F - 0.08F * t), true});
         }
@@ -187,9 +188,10 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
         const float dx = r * std::cos(angle);
         const float dz = r * std::sin(angle);
         const auto strand = [&](float x, float y, float z, float spread, float w) {
-            const glm::vec3 p(x + spread * dx + jitter(0.002F), y,
-                              z + spread * dz + jitter(0.002F));
-            return Knot{scalp.local(p.x, p.y, p.z), scale * w, 0.0F};
+            const float to_side = jitter(0.002F);
+            const float to_front = jitter(0.002F);
+            return Knot{scalp.local(x + spread * dx + to_side, y, z + spread * dz + to_front),
+                        scale * w, 0.0F};
         };
         hair.add(tube(make_curve({strand(0.0F, 0.064F, -0.112F, 0.006F, 0.010F),
                                   strand(0.006F, 0.068F, -0.150F, 0.012F, 0.012F),

@@ -57,14 +57,21 @@ void HeadModel::skull() {
     solid_.add(blob(0.0F, -0.030F, 0.032F, {0.058F * (0.5F + 0.5F * jaw), 0.078F, 0.054F}),
                flesh(0.03F));
     for (const float x : kSides) {
-        solid_.add(cone({x * 0.057F * jaw, -0.030F, -0.004F}, 0.018F,
-                        {x * 0.051F * jaw, -0.072F, 0.014F}, 0.017F),
+        solid_.add(cone({x * 0.055F * jaw, -0.030F, -0.004F}, 0.018F,
+                        {x * 0.0475F * jaw, -0.072F, 0.014F}, 0.017F),
                    flesh(0.02F));
-        solid_.add(cone({x * 0.051F * jaw, -0.072F, 0.014F}, 0.017F,
+        solid_.add(cone({x * 0.0475F * jaw, -0.072F, 0.014F}, 0.017F,
                         {x * 0.015F * jaw, -0.104F, 0.072F}, 0.015F),
                    flesh(0.02F));
-        solid_.add(blob(x * 0.047F, -0.024F, 0.064F, {0.020F, 0.015F, 0.020F}), flesh(0.02F));
-        solid_.add(blob(x * 0.034F, -0.055F, 0.066F, {0.020F, 0.024F, 0.020F}), flesh(0.025F));
+        solid_.add(
+            blob(x * 0.046F * (0.5F + 0.5F * jaw), -0.025F, 0.063F, {0.020F, 0.016F, 0.020F}),
+            flesh(0.02F));
+        solid_.add(blob(x * 0.032F, -0.052F, 0.064F, {0.019F, 0.022F, 0.019F}), flesh(0.025F));
+    }
+    for (const float x : kSides) {
+        solid_.carve(blob(x * 0.064F * jaw, -0.058F, 0.068F,
+                          glm::vec3(0.007F, 0.020F, 0.020F) * traits_.hollow),
+                     {scale_ * 0.016F, traits_.skin, false});
     }
     solid_.add(blob(0.0F, -0.103F, 0.080F, {0.019F * jaw, 0.014F, 0.014F}), flesh(0.016F));
 }
@@ -220,7 +227,7 @@ void HeadModel::eyebrows() {
 }  // namespace
 
 void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits) {
-    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0025F, 0.06F);
+    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0028F, 0.06F);
     HeadModel head(skin.solid, at, scale, traits);
     head.skull();
     head.brow_and_sockets();

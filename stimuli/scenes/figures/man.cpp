@@ -65,10 +65,10 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
                                   {p(cuff), 0.044F, 0.0F}},
                                  7, at.axes[2]);
     jacket.add(
-        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0085F, 0.040F, 0.30F},
-                          {0.10F * upper, 0.09F, 2.4F, 0.0060F, 0.045F, 0.25F},
+        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0064F, 0.042F, 0.30F},
+                          {0.10F * upper, 0.09F, 2.4F, 0.0042F, 0.048F, 0.25F},
                           {0.55F * upper, 0.10F, inner_rad + 1.5F, 0.0040F, 0.055F, 0.40F},
-                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0055F, 0.026F, 0.70F}},
+                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
                          seed)),
         {0.022F, kJacketColour, true});
     // Ribbed cuff.
@@ -80,7 +80,7 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
-    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0080F, 0.10F).solid;
+    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid;
     jacket = core;
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
@@ -132,7 +132,7 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
              const float drape =
                  gradient_noise(glm::vec3(p.x * 16.0F + p.y * 5.0F, p.y * 4.0F, p.z * 16.0F), 43);
              const float body = std::clamp((0.20F - std::abs(p.x)) / 0.05F, 0.0F, 1.0F) *
-                                            std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
+                                std::clamp((1.44F - p.y) / 0.05F, 0.0F, 1.0F);
              return body *
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
@@ -140,10 +140,13 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_undershirt(Figure& man, const Placed& at) {
-    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0060F, 0.08F).solid;
+    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0080F, 0.08F).solid;
     const glm::vec3 colour(0.10F, 0.10F, 0.105F);
-    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes), {0.0F, colour, true});
-    s.keep(half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))), {0.008F, colour, false});
+    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes),
+          {0.0F, colour, true});
+    s.keep(
+        half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))),
+        {0.008F, colour, false});
 }
 
 void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
@@ -170,7 +173,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0084F, 0.08F);
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0095F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -178,7 +181,8 @@ void add_trousers(Figure& man, const Placed& at) {
         s.add(ellipsoid(at(x * 0.075F, 0.915F, -0.055F), {0.088F, 0.095F, 0.078F}, at.axes),
               {0.04F, kTrouserColour, true});
     }
-    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)), {0.006F, kTrouserColour, false});
+    s.keep(half_space(at(0.0F, 0.984F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
+           {0.006F, kTrouserColour, false});
     add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 303);
     add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 404);
     // Cargo pockets with flaps, outside on the thighs; a fly and slant pockets.
@@ -216,7 +220,7 @@ void add_trousers(Figure& man, const Placed& at) {
 }
 
 void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
-    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0064F, 0.12F);
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0072F, 0.12F);
     Sculpture& s = part.solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     for (const float x : kSides) {
@@ -294,10 +298,12 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0037F, 0.06F).solid;
-    for (const auto& [elbow, wrist] : {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
+    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    for (const auto& [elbow, wrist] :
+         {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
         const glm::vec3 inside = along(elbow, wrist, 0.80F);
-        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z), 0.0265F),
+        skin.add(round_cone(at(inside.x, inside.y, inside.z), 0.029F, at(wrist.x, wrist.y, wrist.z),
+                            0.0265F),
                  {0.010F, colour, true});
     }
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.22F));
@@ -322,7 +328,7 @@ Figure make_man(const Placed& at) {
     add_undershirt(man, at);
     add_trousers(man, at);
     add_harness(man, at, core);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0070F, 0.12F).solid;
+    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);
@@ -332,7 +338,7 @@ Figure make_man(const Placed& at) {
     FaceTraits traits;
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
-    traits.jaw = 1.06F;
+    traits.jaw = 1.02F;
     traits.neck = 1.08F;
     add_head(man, head, 1.0F, traits);
     add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});

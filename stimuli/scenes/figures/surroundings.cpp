@@ -12,7 +12,7 @@ namespace {
 
 /// Plain weave: threads over and under, the relief of a cloth.
 TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, float twill) {
-    return {name, 512, 512, glm::vec2(size_m), [=](glm::vec2 uv) {
+    return {name, 384, 384, glm::vec2(size_m), [=](glm::vec2 uv) {
                 const glm::vec2 q = uv * static_cast<float>(threads);
                 const float pi = 3.1415926F;
                 const float warp = std::abs(std::sin(pi * q.x));
@@ -30,7 +30,7 @@ TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, 
 }
 
 TextureRecipe leather() {
-    return {"leather", 512, 512, glm::vec2(0.12F), [](glm::vec2 uv) {
+    return {"leather", 384, 384, glm::vec2(0.12F), [](glm::vec2 uv) {
                 const Cell grain = cellular(uv * 46.0F, 3, {46, 46});
                 const float crease = ridged(uv * 5.0F, 8, 3, {5, 5});
                 Texel texel;
@@ -44,7 +44,7 @@ TextureRecipe leather() {
 }
 
 TextureRecipe skin() {
-    return {"skin", 512, 512, glm::vec2(0.06F), [](glm::vec2 uv) {
+    return {"skin", 320, 320, glm::vec2(0.06F), [](glm::vec2 uv) {
                 const Cell pore = cellular(uv * 60.0F, 13, {60, 60});
                 const float blotch = fbm(uv * 5.0F, 17, 4, {5, 5});
                 Texel texel;

@@ -60,8 +60,8 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
                                   {p(elbow), 0.048F, 0.0F},
                                   {p(along(elbow, wrist, 0.30F)), 0.046F, 0.0F}},
                                  7, at.axes[2]);
-    shirt.add(tube(arm, folded({{1.08F * upper, 0.085F, inner_rad, 0.0070F, 0.032F, 0.35F},
-                                {0.10F * upper, 0.08F, 2.6F, 0.0050F, 0.038F, 0.25F},
+    shirt.add(tube(arm, folded({{1.08F * upper, 0.085F, inner_rad, 0.0052F, 0.036F, 0.35F},
+                                {0.10F * upper, 0.08F, 2.6F, 0.0036F, 0.042F, 0.25F},
                                 {0.55F * upper, 0.09F, inner_rad + 1.5F, 0.0040F, 0.050F, 0.40F}},
                                seed)),
               {0.018F, kShirtColour, true});
@@ -81,7 +81,7 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0076F, 0.08F).solid;
+    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0084F, 0.08F).solid;
     shirt = core;
     shirt.keep(half_space(at(0.0F, 0.925F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                {0.004F, kShirtColour, false});
@@ -92,20 +92,6 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
                 {0.005F, kShirtColour, false});
     shirt.carve(ellipsoid(at(0.0F, 1.360F, 0.105F), {0.024F, 0.068F, 0.050F}, at.axes),
                 {0.006F, kShirtColour, false});
-    for (const float x : kSides) {
-        Curve wing = make_curve({{at(0.0F, 1.446F, -0.074F), 0.006F, 0.021F},
-                                 {at(x * 0.052F, 1.440F, -0.042F), 0.006F, 0.022F},
-                                 {at(x * 0.066F, 1.418F, 0.015F), 0.006F, 0.024F},
-                                 {at(x * 0.050F, 1.380F, 0.066F), 0.006F, 0.026F},
-                                 {at(x * 0.046F, 1.335F, 0.098F), 0.005F, 0.014F}},
-                                6, at.axes[1]);
-        for (CurvePoint& point : wing) {
-            const glm::vec3 out = point.position_m - at(0.0F, 1.33F, -0.02F);
-            point.normal = glm::normalize(out);
-        }
-        rebuild_frames(wing);
-        shirt.add(tube(wing), {0.004F, kShirtColour, true});
-    }
     // Button band.
     shirt.add(layer(core, 0.005F,
                     rounded_box(at(0.0F, 1.13F, 0.12F), {0.014F, 0.19F, 0.12F}, 0.003F, at.axes)),
@@ -119,22 +105,40 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
              const float drape =
                  gradient_noise(glm::vec3(p.x * 18.0F - p.y * 6.0F, p.y * 4.0F, p.z * 18.0F), 63);
              const float body = std::clamp((0.165F - std::abs(p.x)) / 0.04F, 0.0F, 1.0F) *
-            std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
+                                std::clamp((1.28F - p.y) / 0.05F, 0.0F, 1.0F);
              return body * (0.0040F * waist * rolls * (0.5F + std::abs(warp)) + 0.0032F * drape);
          },
          0.008F});
 }
 
+void add_collar(Figure& woman, const Placed& at) {
+    Sculpture& collar = woman.part("collar", Cloth::kShirt, 0.0045F, 0.08F).solid;
+    for (const float x : kSides) {
+        Curve wing = make_curve({{at(0.0F, 1.446F, -0.074F), 0.0075F, 0.021F},
+                                 {at(x * 0.052F, 1.440F, -0.042F), 0.0075F, 0.022F},
+                                 {at(x * 0.066F, 1.418F, 0.015F), 0.0075F, 0.024F},
+                                 {at(x * 0.050F, 1.380F, 0.066F), 0.0075F, 0.026F},
+                                 {at(x * 0.046F, 1.335F, 0.098F), 0.0065F, 0.014F}},
+                                6, at.axes[1]);
+        for (CurvePoint& point : wing) {
+            const glm::vec3 out = point.position_m - at(0.0F, 1.33F, -0.02F);
+            point.normal = glm::normalize(out);
+        }
+        rebuild_frames(wing);
+        collar.add(tube(wing), {0.004F, kShirtColour, true});
+    }
+}
+
 void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0068F, 0.12F).solid;
+    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0078F, 0.12F).solid;
     Sculpture body;
-    body.add(grown(as_shape(core), 0.0135F), {0.0F, kVestColour, true});
+    body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
     body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
               {0.004F, {}, false});
     body.carve(grown(as_shape(core), -0.015F), {0.0F, kVestColour, false});
     // Armholes, neck and the open front, which widens downwards.
     for (const float x : kSides) {
-        body.carve(ellipsoid(at(x * 0.190F, 1.335F, -0.010F), {0.058F, 0.105F, 0.095F}, at.axes),
+        body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
                    {0.003F, kVestColour, false});
     }
     body.carve(round_cone(at(0.0F, 1.400F, 0.02F), 0.072F, at(0.0F, 1.52F, 0.02F), 0.080F),
@@ -149,14 +153,14 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     // Seams and pocket welts stand out a little.
     for (const float x : kSides) {
         Sculpture seam;
-        seam.add(grown(as_shape(core), 0.0165F));
+        seam.add(grown(as_shape(core), 0.0178F));
         seam.keep(
             rounded_box(at(x * 0.098F, 1.19F, 0.10F), {0.0035F, 0.165F, 0.14F}, 0.002F, at.axes),
             {0.002F, {}, false});
         seam.carve(grown(as_shape(core), 0.004F));
         vest.add(as_shape(seam), {0.003F, kVestColour * 0.8F, true});
         Sculpture welt;
-        welt.add(grown(as_shape(core), 0.0185F));
+        welt.add(grown(as_shape(core), 0.0200F));
         welt.keep(
             rounded_box(at(x * 0.090F, 1.100F, 0.12F), {0.036F, 0.011F, 0.10F}, 0.004F, at.axes),
             {0.002F, {}, false});
@@ -186,7 +190,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0080F, 0.06F).solid;
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0088F, 0.06F).solid;
     s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
           {0.0F, kTrouserColour, true});
     s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
@@ -264,7 +268,7 @@ void add_belt(Figure& woman, const Placed& at) {
 }
 
 void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0036F, 0.06F).solid;
+    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0040F, 0.06F).solid;
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
         skin.add(tube(make_curve({{p(along(elbow, wrist, 0.42F)), 0.0345F, 0.0F},
@@ -291,10 +295,11 @@ Figure make_woman(const Placed& at) {
     woman.name = "woman";
     const Sculpture core = torso(at);
     add_shirt(woman, at, core);
+    add_collar(woman, at);
     add_vest(woman, at, core);
     add_trousers(woman, at);
     add_belt(woman, at);
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0068F, 0.12F).solid;
+    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_boot(boots, at, kAnkleLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_arms(woman, at, kSkinColour);
@@ -305,7 +310,8 @@ Figure make_woman(const Placed& at) {
     traits.skin = kSkinColour;
     traits.lip = {0.46F, 0.18F, 0.155F};
     traits.brow = 0.5F;
-    traits.jaw = 0.90F;
+    traits.jaw = 0.92F;
+    traits.hollow = 0.45F;
     traits.lips = 1.18F;
     traits.nose = 0.88F;
     traits.neck = 0.84F;

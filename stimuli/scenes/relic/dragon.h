@@ -14,15 +14,19 @@ namespace obscura::stimuli::relic {
 // stands on y = 0 and its front faces +Z.
 
 /// Linear colours of the stone.
-inline constexpr glm::vec3 kJade{0.62F, 0.72F, 0.635F};
-inline constexpr glm::vec3 kPale{0.76F, 0.76F, 0.70F};
-inline constexpr glm::vec3 kDeep{0.56F, 0.65F, 0.575F};
-inline constexpr glm::vec3 kSandstone{0.72F, 0.68F, 0.61F};
+inline constexpr glm::vec3 kJade{0.55F, 0.665F, 0.575F};
+inline constexpr glm::vec3 kPale{0.74F, 0.735F, 0.67F};
+inline constexpr glm::vec3 kDeep{0.50F, 0.60F, 0.52F};
+inline constexpr glm::vec3 kSandstone{0.69F, 0.645F, 0.57F};
 
 /// The spine from the tip of the tail to the skull; normals point to the back.
 [[nodiscard]] Curve spine();
 /// Where the head sits on the spine.
 [[nodiscard]] Placed head_place();
+
+/// Overlapping scales, `around` of them to a turn and up to `high_m` high where the tube is
+/// thickest; with `plates`, broad plates on the side that faces away from the normal.
+[[nodiscard]] TubeStyle scales(const Curve& curve, int around, float high_m, bool plates);
 
 void add_body(Sculpture& sculpture, const Curve& spine);
 void add_crest(Sculpture& sculpture, const Curve& spine);

@@ -23,14 +23,15 @@ float smooth(float low, float high, float value) {
 /// with the body's girth.
 class RowsAlong {
   public:
-    explicit RowsAlong(const Curve& curve) : step_m_(curve.back().length_m / kSteps) {
+    RowsAlong(const Curve& curve, int around) : step_m_(curve.back().length_m / kSteps) {
         float rows = 0.0F;
         std::size_t next = 1;
         for (int step = 0; step <= kSteps; ++step) {
             const float along_m = step_m_ * static_cast<float>(step);
             while (next + 1 < curve.size() && curve[next].length_m < along_m) ++next;
             rows_.push_back(rows);
-            rows += step_m_ / (kScaleLength * 2.0F * kPi * curve[next].width_m / kScalesAround);
+            rows += step_m_ /
+                    (kScaleLength * 2.0F * kPi * curve[next].width_m / static_cast<float>(around));
         }
     }
     [[nodiscard]] float at(float along_m) const {
@@ -69,23 +70,27 @@ float plate_height(float row) {
     return (1.0F - 0.75F * part) * smooth(0.0F, 0.16F, part);
 }
 
-Relief scales_and_plates(const Curve& spine) {
-    const RowsAlong rows(spine);
-    return [rows](const TubePoint& at) {
-        const float size = std::clamp(at.radius_m / 0.1F, 0.15F, 1.0F);
+}  // namespace
+
+TubeStyle scales(const Curve& curve, int around, float high_m, bool plates) {
+    const RowsAlong rows(curve, around);
+    const float thickest =
+        std::max_element(curve.begin(), curve.end(), [](const CurvePoint& a, const CurvePoint& b) {
+            return a.width_m < b.width_m;
+        })->width_m;
+    const Relief relief = [=](const TubePoint& at) {
+        const float size = std::clamp(at.radius_m / thickest, 0.15F, 1.0F);
         const float row = rows.at(at.along_m);
         const float side = std::abs(at.angle_rad);
-        const float belly = smooth(2.12F, 2.22F, side);
-        const float seam = smooth(0.0F, 0.09F, std::abs(side - 2.17F));
-        const float around = at.angle_rad / (2.0F * kPi) * kScalesAround;
-        const float height = belly < 1.0F ? scale_height(around, row) : 0.0F;
+        const float belly = plates ? smooth(2.12F, 2.22F, side) : 0.0F;
+        const float seam = plates ? smooth(0.0F, 0.09F, std::abs(side - 2.17F)) : 1.0F;
+        const float turn = at.angle_rad / (2.0F * kPi) * static_cast<float>(around);
+        const float height = belly < 1.0F ? scale_height(turn, row) : 0.0F;
         const float plate = belly > 0.0F ? plate_height(row) : 0.0F;
-        return kScaleHigh_m * size * (height + (plate * 1.1F - height) * belly) *
-               (0.35F + 0.65F * seam);
+        return high_m * size * (height + (plate * 1.1F - height) * belly) * (0.35F + 0.65F * seam);
     };
+    return {false, relief, 1.2F * high_m};
 }
-
-}  // namespace
 
 Curve spine() {
     struct Bone {
@@ -130,7 +135,7 @@ Curve spine() {
 }
 
 void add_body(Sculpture& sculpture, const Curve& spine) {
-    sculpture.add(tube(spine, {false, scales_and_plates(spine), kScaleHigh_m * 1.2F}),
+    sculpture.add(tube(spine, scales(spine, kScalesAround, kScaleHigh_m, true)),
                   {0.0F, kJade, true});
     // A tuft of flames ends the tail.
     const glm::vec3 tip = spine.front().position_m;
@@ -162,10 +167,10 @@ void add_crest(Sculpture& sculpture, const Curve& spine) {
         const float high = 0.022F + 0.55F * at.width_m;
         const glm::vec3 root = at.position_m + at.normal * (at.width_m - 0.008F);
         const Curve fin = make_curve(
-            {{root + forward * (0.10F * high), 0.34F * high, 0.0075F},
-             {root + at.normal * (0.55F * high) - forward * (0.12F * high), 0.25F * high, 0.0060F},
-             {root + at.normal * (0.95F * high) - forward * (0.50F * high), 0.12F * high, 0.0042F},
-             {root + at.normal * (1.05F * high) - forward * (0.95F * high), 0.0025F, 0.0025F}},
+            {{root + forward * (0.10F * high), 0.34F * high, 0.0088F},
+             {root + at.normal * (0.55F * high) - forward * (0.12F * high), 0.25F * high, 0.0075F},
+             {root + at.normal * (0.95F * high) - forward * (0.50F * high), 0.12F * high, 0.0062F},
+             {root + at.normal * (1.05F * high) - forward * (0.95F * high), 0.0042F, 0.0042F}},
             4, forward);
         sculpture.add(tube(fin), {0.008F, kDeep, true});
     }

@@ -23,7 +23,8 @@ void add_digit(Sculpture& s, const glm::vec3& root, const glm::vec3& knuckle, co
 }
 
 void add_limb(Sculpture& s, const std::vector<Knot>& knots) {
-    s.add(tube(make_curve(knots, 8, glm::vec3(0.1F, 0.2F, 1.0F))), {0.022F, kJade, true});
+    const Curve bones = make_curve(knots, 6, glm::vec3(0.1F, 0.2F, 1.0F));
+    s.add(tube(bones, scales(bones, 10, 0.0075F, false)), {0.022F, kJade, true});
 }
 
 /// Flame-shaped locks that fly from an elbow or heel.

@@ -37,8 +37,8 @@ void leave_out_underside(renderer::Mesh& mesh) {
 }
 
 renderer::Scene build() {
-    constexpr float kCell_m = 0.0054F;
-    constexpr float kHeadCell_m = 0.0032F;
+    constexpr float kCell_m = 0.0058F;
+    constexpr float kHeadCell_m = 0.0034F;
     renderer::Scene scene;
     scene.name = "relic";
     scene.materials.push_back(

@@ -159,8 +159,8 @@ class TubeSegment final : public Shape {
         const float length = glm::length(d);
         if (round_) return length - w;
         const float h = a_.height_m + (b_.height_m - a_.height_m) * t;
-        // The squarish section reaches past the ellipse, at most by the fourth root of two.
-        const float capsule = length - 1.19F * std::max(w, h);
+        // The squarish section reaches past the ellipse, at most by the fourth root of three.
+        const float capsule = length - 1.32F * std::max(w, h);
         if (capsule >= limit) return capsule;
         return section(local(d, t), w, h);
     }
@@ -178,12 +178,12 @@ class TubeSegment final : public Shape {
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         const glm::vec3 pa = p - a_.position_m;
         const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
-        return glm::length(pa - ba_ * t) - 1.19F * thick_ - style_.relief_high_m;
+        return glm::length(pa - ba_ * t) - 1.32F * thick_ - style_.relief_high_m;
     }
     [[nodiscard]] Bounds bounds() const override {
         Bounds result;
-        result.include(a_.position_m, 1.19F * thick_ + style_.relief_high_m);
-        result.include(b_.position_m, 1.19F * thick_ + style_.relief_high_m);
+        result.include(a_.position_m, 1.32F * thick_ + style_.relief_high_m);
+        result.include(b_.position_m, 1.32F * thick_ + style_.relief_high_m);
         return result;
     }
 

@@ -13,7 +13,7 @@ namespace obscura::stimuli {
 namespace {
 
 constexpr int kCells = 4;             ///< cells along an edge of a block
-constexpr int kLocalCells = 16;  ///< size of a block for which nested sculptures are cut down
+constexpr int kLocalCells = 16;       ///< size of a block for which nested sculptures are cut down
 constexpr int kSide = kCells + 1;     ///< corners along an edge, those of the next blocks included
 constexpr float kReachFactor = 1.4F;  ///< slack for fields that are distances of first order only
 
@@ -222,7 +222,7 @@ class Mesher {
         const float value = sculpture_.distance(start, block.parts);
         const float steep2 = std::max(glm::dot(slope, slope), 0.25F);
         glm::vec3 step = -slope * (value / steep2);
-        const float longest = 0.5F * cell_m_;
+        const float longest = 0.3F * cell_m_;
         if (glm::length(step) > longest) step *= longest / glm::length(step);
         renderer::Vertex vertex;
         vertex.position_m = start + step;
@@ -278,8 +278,17 @@ class Mesher {
         };
         const std::size_t first =
             glm::distance(place(0), place(2)) <= glm::distance(place(1), place(3)) ? 0 : 1;
-        for (const std::size_t i : {0, 1, 2, 0, 2, 3}) {
-            mesh.indices.push_back(static_cast<std::uint32_t>(at[(first + i) % 4]));
+        for (const std::array<std::size_t, 3>& corners_of :
+             {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+            std::array<std::size_t, 3> corner{};
+            for (std::size_t i = 0; i < 3; ++i) corner[i] = (first + corners_of[i]) % 4;
+            const bool flat = place(corner[0]) == place(corner[1]) ||
+                              place(corner[1]) == place(corner[2]) ||
+                              place(corner[2]) == place(corner[0]);
+            if (flat) continue;
+            for (const std::size_t i : corner) {
+                mesh.indices.push_back(static_cast<std::uint32_t>(at[i]));
+            }
         }
     }
 

@@ -222,15 +222,17 @@ std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float rad
                                              std::span<const Part> parts) const {
     std::vector<Part> result;
     const float reach = radius_m + 2.0F * displacement_.high_m;
+    bool solid = false;
     for (const Part& part : parts) {
         const Stroke& now = strokes_[part.stroke];
         const float limit = reach + now.margin_m;
         const bool keep = now.blend == Blend::kKeep;
         if (!keep && glm::length(point_m - part.centre_m) > limit + part.radius_m) continue;
-        if (keep || part.shape->lower_bound(point_m) <= limit) {
-            result.push_back(part);
-        }
+        if (!keep && part.shape->lower_bound(point_m) > limit) continue;
+        solid = solid || now.blend == Blend::kAdd;
+        result.push_back(part);
     }
+    if (!solid) result.clear();  // nothing here that could be carved or kept
     return result;
 }
 
