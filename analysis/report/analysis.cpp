@@ -11,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/statistics/benjamini_hochberg.h"
+#include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
 #include "analysis/statistics/holm.h"
@@ -29,6 +31,7 @@ Preference preference_of(const Votes& votes) {
     preference.chi_square = chi_square_equal_split(votes);
     preference.exact = exact_binomial(votes.b, votes.n());
     preference.wilson = wilson(votes.b, votes.n(), kConfidence);
+    preference.clopper_pearson = clopper_pearson(votes.b, votes.n(), kConfidence);
     preference.cohens_g = cohens_g(votes);
     return preference;
 }
@@ -45,10 +48,14 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
         }
         results.push_back(std::move(result));
     }
-    const std::vector<double> adjusted = holm(family);
-    auto next = adjusted.begin();
+    const std::vector<double> by_holm = holm(family);
+    const std::vector<double> by_rate = benjamini_hochberg(family);
+    std::size_t next = 0;
     for (ConditionResult& result : results) {
-        if (result.preference.chi_square.has_value()) result.p_holm = *next++;
+        if (!result.preference.chi_square.has_value()) continue;
+        result.p_holm = by_holm[next];
+        result.p_bh = by_rate[next];
+        ++next;
     }
     return results;
 }
@@ -77,6 +84,25 @@ std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
         100.0 * *result.pooled.share_b, test_words(*result.pooled.chi_square), verdict,
         result.significant, result.conditions.size(), result.significant == 1 ? "is" : "are",
         kSignificance, tests, result.significant_holm);
+}
+
+std::string sentence_of(const std::vector<ConditionResult>& conditions) {
+    std::vector<std::string> alone;
+    std::vector<std::string> corrected;
+    std::size_t tests = 0;
+    for (const ConditionResult& result : conditions) {
+        if (!result.p_holm.has_value()) continue;
+        ++tests;
+        if (is_significant(result.preference.chi_square)) alone.push_back(result.condition.id);
+        if (*result.p_holm < kSignificance) corrected.push_back(result.condition.id);
+    }
+    const auto list = [](const std::vector<std::string>& ids) {
+        return ids.empty() ? std::string("none") : fmt::format("{}", fmt::join(ids, ", "));
+    };
+    return fmt::format(
+        "Significant at {:g} each for itself: {}. Still so after Holm's correction for {} tests: "
+        "{}.",
+        kSignificance, list(alone), tests, list(corrected));
 }
 
 std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
@@ -186,6 +212,7 @@ Analysis analyse(const Tally& tally) {
     Analysis analysis;
     analysis.tally = tally;
     analysis.conditions = test_conditions(tally);
+    analysis.sentence = sentence_of(analysis.conditions);
     analysis.hypotheses = test_hypotheses(analysis.conditions);
     analysis.validity = test_validity(tally);
     if (tally.order.has_value()) {
@@ -199,8 +226,9 @@ Analysis analyse(const Tally& tally) {
 
 std::string p_text(const PValue& p) {
     constexpr double kShownAsPower = 1e-290;
-    if (p.p >= kShownAsPower) return fmt::format("{:.4g}", p.p);
-    return fmt::format("10^{:.2f}", p.log10_p);
+    constexpr double kShownWithExponent = 1e-3;
+    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
+    return p.p < kShownWithExponent ? fmt::format("{:.3e}", p.p) : fmt::format("{:.6f}", p.p);
 }
 
 }  // namespace obscura::analysis

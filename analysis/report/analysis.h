@@ -23,6 +23,7 @@ struct Preference {
     Possible<ChiSquareTest> chi_square = Possible<ChiSquareTest>::none("no votes");
     Possible<PValue> exact = Possible<PValue>::none("no votes");
     Possible<Interval> wilson = Possible<Interval>::none("no votes");
+    Possible<Interval> clopper_pearson = Possible<Interval>::none("no votes");
     Possible<double> cohens_g = Possible<double>::none("no votes");
 };
 
@@ -31,6 +32,8 @@ struct ConditionResult {
     Preference preference;
     /// The chi-square p-value after Holm's correction over all conditions that have one.
     Possible<double> p_holm = Possible<double>::none("no votes");
+    /// The same after Benjamini and Hochberg's.
+    Possible<double> p_bh = Possible<double>::none("no votes");
 };
 
 /// A hypothesis that conditions name: their votes together.
@@ -71,6 +74,7 @@ struct OrderBias {
 struct Analysis {
     Tally tally;
     std::vector<ConditionResult> conditions;
+    std::string sentence;                      ///< what the conditions say, before and after Holm
     std::vector<HypothesisResult> hypotheses;  ///< in order of their names
     ValidityResult validity;
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
@@ -85,7 +89,8 @@ struct Analysis {
 /// NAME_reason. Ends with a line feed.
 [[nodiscard]] std::string json_report(const Analysis& analysis);
 
-/// A p-value for people: four significant digits, a power of ten where a double is too small.
+/// A p-value for people: six decimals, four significant digits below a thousandth, and a power of
+/// ten where a double is too small.
 [[nodiscard]] std::string p_text(const PValue& p);
 
 }  // namespace obscura::analysis

@@ -33,6 +33,17 @@ void put_p(Json& object, const std::string& name, const Possible<PValue>& value)
     }
 }
 
+/// NAME_low and NAME_high.
+void put_interval(Json& object, const std::string& name, const Possible<Interval>& interval) {
+    if (interval.has_value()) {
+        object[name + "_low"] = interval->low;
+        object[name + "_high"] = interval->high;
+    } else {
+        put_none(object, name + "_low", interval.reason);
+        put_none(object, name + "_high", interval.reason);
+    }
+}
+
 void put_chi_square(Json& object, const Possible<ChiSquareTest>& test) {
     if (!test.has_value()) {
         for (const char* name : {"chi_square", "df", "p_value"}) {
@@ -52,13 +63,8 @@ void put_preference(Json& object, const Preference& preference) {
     put_chi_square(object, preference.chi_square);
     put_p(object, "p_exact", preference.exact);
     put(object, "share_b", preference.share_b);
-    if (preference.wilson.has_value()) {
-        object["wilson_low"] = preference.wilson->low;
-        object["wilson_high"] = preference.wilson->high;
-    } else {
-        put_none(object, "wilson_low", preference.wilson.reason);
-        put_none(object, "wilson_high", preference.wilson.reason);
-    }
+    put_interval(object, "wilson", preference.wilson);
+    put_interval(object, "clopper_pearson", preference.clopper_pearson);
     put(object, "cohens_g", preference.cohens_g);
 }
 
@@ -71,6 +77,7 @@ Json condition_json(const ConditionResult& result) {
     object["variant_b"] = result.condition.variant_b;
     put_preference(object, result.preference);
     put(object, "p_holm", result.p_holm);
+    put(object, "p_bh", result.p_bh);
     return object;
 }
 
@@ -149,6 +156,7 @@ std::string json_report(const Analysis& analysis) {
     for (const ConditionResult& result : analysis.conditions) {
         report["conditions"].push_back(condition_json(result));
     }
+    report["sentence"] = analysis.sentence;
     report["hypotheses"] = Json::object();
     for (const HypothesisResult& result : analysis.hypotheses) {
         report["hypotheses"][result.name] = hypothesis_json(result);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <sstream>
 
 #include "analysis/report/analysis.h"
 
@@ -41,12 +42,36 @@ std::string aligned(const std::vector<TextRow>& rows, std::size_t left) {
     return text;
 }
 
+/// Lines of at most 100 letters, broken at blanks and continued two blanks further in.
+std::string wrapped(const std::string& text) {
+    constexpr std::size_t kWidth = 100;
+    std::istringstream lines(text);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string indent(line.find_first_not_of(' ') == 2 ? 4 : 2, ' ');
+        while (width_of(line) > kWidth) {
+            std::size_t end = line.rfind(' ', kWidth);
+            if (end == std::string::npos || end < indent.size()) break;
+            result += line.substr(0, end) + '\n';
+            line = indent + line.substr(end + 1);
+        }
+        result += line + '\n';
+    }
+    return result;
+}
+
 constexpr const char* kNoValue = "-";
 
-std::string number(double value) { return fmt::format("{:.4g}", value); }
+std::string number(const Possible<double>& value, const char* sign = "") {
+    if (!value.has_value()) return kNoValue;
+    return fmt::format(fmt::runtime(fmt::format("{{:{}.4f}}", sign)), *value);
+}
 
-std::string number(const Possible<double>& value) {
-    return value.has_value() ? number(*value) : kNoValue;
+std::string chi_square(const Possible<ChiSquareTest>& test) {
+    constexpr double kShownInFull = 1e5;
+    if (!test.has_value()) return kNoValue;
+    return test->statistic < kShownInFull ? fmt::format("{:.4f}", test->statistic)
+                                          : fmt::format("{:.6g}", test->statistic);
 }
 
 std::string interval(const Possible<Interval>& value) {
@@ -55,6 +80,13 @@ std::string interval(const Possible<Interval>& value) {
 
 std::string p_value(const Possible<PValue>& value) {
     return value.has_value() ? p_text(*value) : kNoValue;
+}
+
+/// Corrected p-values carry no logarithm.
+std::string p_holm(const Possible<double>& value) {
+    constexpr double kSmallest = 1e-290;
+    if (!value.has_value()) return kNoValue;
+    return *value < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*value, 0.0});
 }
 
 TextRow condition_row(const ConditionResult& result) {
@@ -69,11 +101,11 @@ TextRow condition_row(const ConditionResult& result) {
             fmt::format("{}:{}", condition.votes.a, condition.votes.b),
             number(preference.share_b),
             interval(preference.wilson),
-            number(preference.cohens_g),
-            tested ? number(preference.chi_square->statistic) : kNoValue,
+            number(preference.cohens_g, "+"),
+            chi_square(preference.chi_square),
             tested ? p_text(preference.chi_square->p) : kNoValue,
             p_value(preference.exact),
-            number(result.p_holm)};
+            p_holm(result.p_holm)};
 }
 
 std::string heading(const Tally& tally) {
@@ -123,21 +155,22 @@ std::string text_report(const Analysis& analysis) {
         rows.push_back(condition_row(result));
     }
     std::string text = heading(analysis.tally) + '\n' + aligned(rows, 5) + '\n';
-    text +=
+    std::string words =
         "chi-sq, p: Pearson's chi-square test against an equal split, df 1, no continuity "
         "correction.\n"
         "p exact: two-sided exact binomial test. p Holm: p after Holm's correction over all "
         "conditions.\n"
         "95 % interval: Wilson's, of the share of B. g: Cohen's g, share of B minus one half.\n\n";
+    words += analysis.sentence + '\n';
     for (const HypothesisResult& hypothesis : analysis.hypotheses) {
-        text += hypothesis.sentence + '\n';
+        words += hypothesis.sentence + '\n';
     }
-    text += "H3: " + analysis.validity.sentence + '\n';
-    for (const Comparison& pair : analysis.validity.by_pair) text += pair_row(pair);
-    text +=
+    words += "H3: " + analysis.validity.sentence + '\n';
+    for (const Comparison& pair : analysis.validity.by_pair) words += pair_row(pair);
+    words +=
         "Votes that are pooled or compared here come from the same participants, which these "
         "tests of counts take as independent.\n";
-    return text + order_bias_line(analysis);
+    return text + wrapped(words + order_bias_line(analysis));
 }
 
 }  // namespace obscura::analysis

@@ -3,8 +3,10 @@
 #include "app/kiosk/widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 // Only for the names of the keys.
 #define GLFW_INCLUDE_NONE
@@ -70,12 +72,19 @@ void card(const char* name, float columns, const std::function<void()>& content,
           Keyboard keyboard) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float room = screen.x - 2.0F * kMargin_px;
-    const float width = std::min(room, columns * ImGui::GetFontSize());
+    const float width = std::round(std::min(room, columns * ImGui::GetFontSize()));
     ImGui::SetNextWindowPos({screen.x * 0.5F, screen.y * 0.5F}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y - 2.0F * kMargin_px});
+    const float tallest = screen.y - 2.0F * kMargin_px;
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, tallest});
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
+    // Rounding alone must not bring a scroll bar.
+    const ImGuiWindow* before = ImGui::FindWindowByName(name);
+    const float padding = 2.0F * ImGui::GetStyle().WindowPadding.y;
+    if (before == nullptr || before->ContentSize.y + padding <= tallest) {
+        flags |= ImGuiWindowFlags_NoScrollbar;
+    }
     if (keyboard == Keyboard::kIsLeftToTheCaller) flags |= ImGuiWindowFlags_NoNav;
     if (ImGui::Begin(name, nullptr, flags)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();

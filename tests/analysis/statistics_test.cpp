@@ -6,7 +6,9 @@
 #include <numbers>
 #include <string>
 
+#include "analysis/statistics/benjamini_hochberg.h"
 #include "analysis/statistics/chi_square.h"
+#include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
 #include "analysis/statistics/holm.h"
@@ -215,6 +217,31 @@ TEST(Holm, MeetsTheExample) {
     for (const double p : test::kNoProbabilities) EXPECT_THROW((void)holm({.5, p}), base::Error);
 }
 
+TEST(ClopperPearson, MeetsPublishedIntervals) {
+    EXPECT_EQ(clopper_pearson(0, 36)->low, 0.0);
+    EXPECT_NEAR(clopper_pearson(0, 36)->high, .09739376, 1e-8);  // R: binom.test(0, 36)
+    EXPECT_EQ(clopper_pearson(36, 36)->high, 1.0);
+    EXPECT_NEAR(clopper_pearson(36, 36)->low, 1.0 - .09739376, 1e-8);
+    EXPECT_NEAR(clopper_pearson(25, 36)->low, .51892937, 1e-8);  // mpmath 1.3, 25 digits
+    EXPECT_NEAR(clopper_pearson(25, 36)->high, .836526015372, 1e-11);
+    for (const double confidence : test::kNoProbabilities) {
+        EXPECT_THROW((void)clopper_pearson(1, 2, confidence), base::Error) << confidence;
+    }
+    EXPECT_THROW((void)clopper_pearson(3, 2), base::Error);
+}
+
+TEST(BenjaminiHochberg, MeetsTheExample) {
+    EXPECT_THAT(benjamini_hochberg({.01, .04, .03, .005}),  // R: p.adjust(..., "BH")
+                ElementsAre(DoubleNear(.02, 1e-12), DoubleNear(.04, 1e-12), DoubleNear(.04, 1e-12),
+                            DoubleNear(.02, 1e-12)));
+    EXPECT_THAT(benjamini_hochberg({}), IsEmpty());
+    EXPECT_THAT(benjamini_hochberg({.2}), ElementsAre(.2));
+    EXPECT_THAT(benjamini_hochberg({0.0, 1.0}), ElementsAre(0.0, 1.0));
+    for (const double p : test::kNoProbabilities) {
+        EXPECT_THROW((void)benjamini_hochberg({.5, p}), base::Error);
+    }
+}
+
 TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
     for (const Votes& votes : test::kEdgeVotes) {
         SCOPED_TRACE(std::to_string(votes.a) + ":" + std::to_string(votes.b));
@@ -222,10 +249,11 @@ TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
         const auto exact = exact_binomial(votes.b, votes.n());
         const auto uneven = exact_binomial(votes.b, votes.n(), 0.75);
         const auto interval = wilson(votes.b, votes.n());
+        const auto wide = clopper_pearson(votes.b, votes.n());
         const auto g = cohens_g(votes);
         if (votes.n() == 0) {
-            for (const std::string& reason :
-                 {chi.reason, exact.reason, uneven.reason, interval.reason, g.reason}) {
+            for (const std::string& reason : {chi.reason, exact.reason, uneven.reason,
+                                              interval.reason, wide.reason, g.reason}) {
                 EXPECT_EQ(reason, "no votes");
             }
             EXPECT_FALSE(chi.has_value() || exact.has_value() || uneven.has_value() ||
@@ -239,6 +267,9 @@ TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
         const double share = static_cast<double>(votes.b) / static_cast<double>(votes.n());
         EXPECT_TRUE(0.0 <= interval->low && interval->low <= share && share <= interval->high &&
                     interval->high <= 1.0);
+        EXPECT_TRUE(0.0 <= wide->low && wide->low <= share && share <= wide->high &&
+                    wide->high <= 1.0)
+            << wide->low << " " << wide->high;
         EXPECT_NEAR(*g, share - 0.5, 1e-15);
         if (votes.a == votes.b) {
             EXPECT_EQ(chi->p.p, 1.0);

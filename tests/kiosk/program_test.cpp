@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +29,7 @@ using analysis::Store;
 using testing::AllOf;
 using testing::HasSubstr;
 
+/// Larger than a plain window, so that the two differ.
 constexpr int kScreenWidth = 1100;
 constexpr int kScreenHeight = 800;
 constexpr double kPatience_s = 40.0;
@@ -37,13 +39,16 @@ void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<d
 /// A participant and operator in front of the program.
 class Visitor {
   public:
-    explicit Visitor(const ShownStudy& shown)
-        : shown_(shown), display_(kScreenWidth, kScreenHeight) {}
+    enum class Place { kWholeScreen, kWindow };
+
+    explicit Visitor(const ShownStudy& shown, Place place = Place::kWholeScreen)
+        : shown_(shown), display_(kScreenWidth, kScreenHeight), place_(place) {}
 
     void start_program() {
-        program_ = ChildProcess(
-            {OBSCURA_PROGRAM, "--data", shown_.data.string(), "run", shown_.file.string()}, -1,
-            log().string());
+        std::vector<std::string> command{OBSCURA_PROGRAM, "--data", shown_.data.string(), "run",
+                                         shown_.file.string()};
+        if (place_ == Place::kWindow) command.emplace_back("--windowed");
+        program_ = ChildProcess(command, -1, log().string());
         EXPECT_TRUE(wait_for([this] { return sees_page(); })) << said();
         pause(0.3);
     }
@@ -125,7 +130,7 @@ class Visitor {
     [[nodiscard]] std::optional<std::string> seen_image() const {
         const stimuli::RgbImage screen = display_.screen();
         for (const auto& [sha256, image] : shown_.images) {
-            if (wrong_pixels(screen, &image, kScreenWidth, kScreenHeight, 128) == 0) return sha256;
+            if (wrong_pixels(screen, &image, width(), height(), 128) == 0) return sha256;
         }
         return std::nullopt;
     }
@@ -154,8 +159,11 @@ class Visitor {
   private:
     [[nodiscard]] std::filesystem::path log() const { return shown_.data / "log.txt"; }
     [[nodiscard]] bool is_on_screen(const stimuli::RgbImage* image) const {
-        return wrong_pixels(display_.screen(), image, kScreenWidth, kScreenHeight, 128) == 0;
+        return wrong_pixels(display_.screen(), image, width(), height(), 128) == 0;
     }
+    /// Of the program's window, which lies in the screen's upper left corner.
+    [[nodiscard]] int width() const { return place_ == Place::kWindow ? 1024 : kScreenWidth; }
+    [[nodiscard]] int height() const { return place_ == Place::kWindow ? 720 : kScreenHeight; }
     static bool wait_for(const std::function<bool()>& condition, double seconds = kPatience_s) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (!condition()) {
@@ -167,6 +175,7 @@ class Visitor {
 
     const ShownStudy& shown_;
     VirtualDisplay display_;
+    Place place_;
     ChildProcess program_;
 };
 
@@ -230,7 +239,7 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
 
 TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
     const ShownStudy shown(3, 400);
-    Visitor visitor(shown);
+    Visitor visitor(shown, Visitor::Place::kWindow);
     visitor.start_program();
     visitor.sign_in();
     visitor.answer_pair("1", 1);
@@ -284,6 +293,43 @@ TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
     visitor.leave();
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kAbandoned);
     EXPECT_TRUE(visitor.store().taken_slots("noise", shown.study.seed, Kind::kParticipant).empty());
+}
+
+/// Runs SQL in the store beside the program.
+void execute(const ShownStudy& shown, const char* sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((shown.data / "responses.sqlite").c_str(), &database), SQLITE_OK);
+    sqlite3_busy_timeout(database, 5000);
+    EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(database);
+    sqlite3_close(database);
+}
+
+TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
+    const ShownStudy shown(2, 100);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    execute(shown,
+            "CREATE TRIGGER no_room BEFORE INSERT ON trials "
+            "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
+    (void)visitor.open_pair();
+    visitor.leave_first_image();
+    (void)visitor.await_second_image();
+    visitor.leave_second_image();
+    visitor.press("2");
+    pause(1.0);
+    visitor.press("Return");  // tries again, in vain
+    pause(1.0);
+    EXPECT_EQ(visitor.store().trials().size(), 1U);
+    EXPECT_THAT(visitor.said(), AllOf(HasSubstr("the answer to pair 2"), HasSubstr("no room")));
+    execute(shown, "DROP TRIGGER no_room");
+    visitor.press("Return");
+    visitor.await_answers(2);
+    EXPECT_FALSE(visitor.store().trials().at(1).response_first);
+    visitor.leave();
+    EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kCompleted);
 }
 
 TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {

@@ -44,13 +44,13 @@ renderer::Lighting lighting(Validity validity) {
     // Across the court from the left, steep enough to reach the floor and one arcade.
     const vec3 towards_sun = glm::normalize(vec3(-0.36F, 1.0F, 0.2F));
     renderer::SkyColours sky;
-    sky.zenith = {0.34F, 0.50F, 0.86F};
-    sky.horizon = {0.80F, 0.86F, 0.95F};
-    sky.ground = {0.50F, 0.43F, 0.34F};  // sunlit stone below
-    sky.sun_glow = {0.5F, 0.42F, 0.3F};
+    sky.zenith = {0.50F, 0.68F, 1.05F};
+    sky.horizon = {0.62F, 0.63F, 0.66F};
+    sky.ground = {0.40F, 0.33F, 0.25F};  // sunlit stone below
+    sky.sun_glow = {1.5F, 1.25F, 0.9F};
     sky.towards_sun = towards_sun;
-    sky.cloud_cover = 0.3F;
-    sky.seed = 7;
+    sky.cloud_cover = 0.5F;
+    sky.seed = 3;
     renderer::Lighting light;
     light.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky));
     if (validity == Validity::kHigh) {

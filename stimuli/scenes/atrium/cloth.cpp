@@ -45,11 +45,11 @@ vec3 drape_point(const Drape& drape, float u, float v) {
     const float strength =
         0.55F +
         0.45F * value_noise(vec2(u * static_cast<float>(drape.folds), v * 1.5F), drape.seed + 1U);
-    const float fuller = drape.depth * (0.6F + 0.4F * glm::smoothstep(0.0F, 0.2F, v)) *
-                         std::min(1.5F, 1.0F / (0.35F + 0.65F * width));
+    const float fuller =
+        drape.depth * (0.6F + 0.4F * glm::smoothstep(0.0F, 0.2F, v)) * glm::mix(0.42F, 1.0F, width);
     // Rounded crests, and edges that lean over as heavy cloth does.
     const float z = fuller * strength * (std::sin(phase) + 0.22F * std::sin(2.0F * phase + 0.7F));
-    const float lean = 0.28F * drape.width / static_cast<float>(drape.folds) * width *
+    const float lean = 0.2F * drape.width / static_cast<float>(drape.folds) * width *
                        std::cos(phase + 0.4F) * glm::smoothstep(0.0F, 0.3F, v);
     const float anchor = 0.5F * drape.towards;
     const float x = drape.width * (anchor + (u - 0.5F - anchor) * width) + lean;
@@ -69,13 +69,15 @@ void put_drape(Site& site, const Drape& drape, const vec3& dye, const glm::mat4&
         {{0.0F, 0.945F, 22, dye}, {0.945F, 0.982F, 1, kDyeGold}, {0.982F, 1.0F, 1, dye}}};
     for (const Strip& strip : strips) {
         PatchOptions options;
-        options.columns = drape.folds * 8;
+        options.columns = drape.folds * 7;
         options.rows = strip.rows;
         options.size_m = {drape.width * 1.5F, drape.height * (strip.to - strip.from)};
         // u runs leftwards and v downwards, so the cloth faces +z.
         Mesh mesh = patch(options, [&](float u, float v) {
             return drape_point(drape, 1.0F - u, strip.from + (strip.to - strip.from) * v);
         });
+        // Over sharp folds the triangles' own normals are the true ones.
+        smooth_normals(mesh, 1.9F);
         for (Vertex& vertex : mesh.vertices) {
             const float down = -vertex.position_m.y / drape.height;
             const float sunned = 1.0F - 0.18F * value_noise(vertex.position_m * 1.3F, drape.seed);
@@ -104,7 +106,7 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
     for (const float side : {-0.5F, 0.5F}) {
         site.put(Surface::kIron, knob, frame * at(side * length, 0.0F, 0.0F), 2U);
     }
-    constexpr int kRings = 13;
+    constexpr int kRings = 10;
     for (int i = 0; i < kRings; ++i) {
         const float x = length * 0.96F * ((static_cast<float>(i) + 0.5F) / kRings - 0.5F);
         site.put(Surface::kIron, ring, frame * at(x, -0.012F, 0.0F), 3U);
@@ -118,8 +120,8 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
 
 void put_tie(Site& site, vec3 centre, float width, const glm::mat4& frame) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 28)) {
-        loop.emplace_back(centre + vec3(0.5F * width * point.x, -0.10F * point.x, 0.15F * point.y));
+    for (const vec2& point : circle(1.0F, 20)) {
+        loop.emplace_back(centre + vec3(0.5F * width * point.x, -0.10F * point.x, 0.12F * point.y));
     }
     SweepOptions closed;
     closed.closed_path = true;
@@ -158,7 +160,7 @@ void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
         put_drape(site, drape, dye, cloth * at(middle, 0.0F, 0.0F));
         const float at_tie = drape.width * drape.gather;
         const float x = middle + side * 0.5F * (drape.width - at_tie);
-        put_tie(site, {x, -drape.height * drape.tie, 0.0F}, at_tie + 0.1F, cloth);
+        put_tie(site, {x, -drape.height * drape.tie, 0.0F}, at_tie + 0.03F, cloth);
     }
 }
 

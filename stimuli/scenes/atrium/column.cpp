@@ -31,7 +31,7 @@ std::vector<vec2> turned_profile(const ColumnShape& shape, float from_y, float b
     const float half_pi = glm::half_pi<float>();
     std::vector<vec2> profile{{0.6F * r, from_y}};
     const float roll = 0.16F * r;
-    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, shape.leaf_detail - 2);
+    add_arc(profile, {1.22F * r, from_y + roll}, roll, -half_pi, half_pi, 6);
     const float hollow_y = from_y + 2.0F * roll + 0.05F * r;
     profile.emplace_back(1.2F * r, hollow_y);
     profile.emplace_back(1.13F * r, hollow_y + 0.05F * r);
@@ -137,8 +137,9 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
         placement.transform = glm::rotate(at(0.0F, bell_y, 0.0F), angle + 0.5F * step, up);
         append(whole, high, placement);
     }
+    if (!shape.scrolls) return;
     const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
-                               shape.leaf_detail + 5);
+                               2 * shape.leaf_detail + 4);
     for (int i = 0; i < 4; ++i) {
         Placement placement;
         const float angle = (static_cast<float>(i) + 0.5F) * glm::half_pi<float>();

@@ -47,7 +47,7 @@ Mesh palm(std::uint64_t seed, int leaves, float length) {
         const float tilt = glm::mix(0.1F, 0.75F, t) + draw(random, -0.1F, 0.1F);
         const Mesh leaf =
             blade(length * draw(random, 0.75F, 1.1F), 0.075F * draw(random, 0.8F, 1.2F),
-                  draw(random, 0.7F, 1.7F), 0.35F, 9);
+                  draw(random, 0.7F, 1.7F), 0.35F, 7);
         Placement placement;
         placement.transform = glm::rotate(glm::mat4(1.0F), turn, vec3(0.0F, 1.0F, 0.0F)) *
                               glm::rotate(at(0.0F, 0.0F, 0.02F), tilt, vec3(1.0F, 0.0F, 0.0F));
@@ -84,6 +84,52 @@ Mesh bush(std::uint64_t seed, int leaves, float radius) {
         append(plant, leaf, placement);
     }
     return plant;
+}
+
+/// Shoots that trail down a wall from the origin (the wall is at z < 0), thinning out downwards.
+Mesh trailing(std::uint64_t seed, float width, float drop) {
+    base::Random random(seed);
+    Mesh plant;
+    const int shoots = static_cast<int>(width * 8.0F);
+    for (int s = 0; s < shoots; ++s) {
+        const float start =
+            width * ((static_cast<float>(s) + 0.5F) / static_cast<float>(shoots) - 0.5F);
+        const float length = drop * draw(random, 0.35F, 1.0F);
+        const float drift = draw(random, -0.25F, 0.25F);
+        const int leaves = static_cast<int>(length * 13.0F);
+        for (int i = 0; i < leaves; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(leaves);
+            const vec3 place(start + drift * t * t + draw(random, -0.05F, 0.05F),
+                             0.05F - length * t, draw(random, 0.0F, 0.07F));
+            const Mesh leaf = blade(draw(random, 0.09F, 0.14F) * (1.0F - 0.35F * t),
+                                    draw(random, 0.06F, 0.085F), draw(random, 0.3F, 1.0F), 0.3F, 3);
+            Placement placement;
+            placement.transform =
+                glm::rotate(glm::translate(glm::mat4(1.0F), place), draw(random, -0.9F, 0.9F),
+                            vec3(0.0F, 1.0F, 0.0F)) *
+                glm::rotate(glm::mat4(1.0F), draw(random, 0.9F, 2.2F), vec3(1.0F, 0.0F, 0.0F));
+            placement.tint = shade(static_cast<std::uint32_t>(random.below(100000)), 0.45F);
+            append(plant, leaf, placement);
+        }
+    }
+    return plant;
+}
+
+/// A wooden box of trailing plants that stands on the string course before the balustrade.
+void put_flower_box(Site& site, int side, float x, float drop, std::uint32_t seed) {
+    const glm::mat4 place =
+        side_frame(side, kArcadeX - kWallHalf) * at(x, kLowerTop + 0.27F, 0.09F);
+    site.put(
+        Surface::kWood, bevelled_box({0.2F, 1.1F, 0.18F}, 0.012F),
+        glm::rotate(place * at(0.0F, 0.1F, 0.02F), glm::half_pi<float>(), vec3(0.0F, 0.0F, 1.0F)),
+        seed);
+    site.put(Surface::kSoil, bevelled_box({1.04F, 0.03F, 0.12F}, 0.0F),
+             place * at(0.0F, 0.195F, 0.02F), seed);
+    site.put_mapped(Surface::kLeaf, trailing(seed, 1.0F, drop), place * at(0.0F, 0.22F, 0.115F));
+    const Mesh tuft = bush(seed + 1U, 60, 0.15F);
+    for (const float offset : {-0.35F, 0.0F, 0.35F}) {
+        site.put_mapped(Surface::kLeaf, tuft, place * at(offset, 0.12F, 0.03F));
+    }
 }
 
 /// A square stone trough with a rim, panels and feet.
@@ -138,29 +184,29 @@ Mesh amphora() {
           vec2(0.1F, 0.83F), vec2(0.075F, 0.8F), vec2(0.06F, 0.7F), vec2(0.0F, 0.68F)}) {
         profile.push_back(point);
     }
-    Mesh vase = revolve(profile, 20);
+    Mesh vase = revolve(profile, 16);
     for (const float side : {-1.0F, 1.0F}) {
         std::vector<vec3> path;
-        for (int i = 0; i <= 12; ++i) {
-            const float t = static_cast<float>(i) / 12.0F;
+        for (int i = 0; i <= 8; ++i) {
+            const float t = static_cast<float>(i) / 8.0F;
             path.emplace_back(
                 side * (0.085F + 0.13F * std::sin(glm::pi<float>() * (0.08F + 0.84F * t)) +
                         0.09F * t * t),
                 0.77F - 0.26F * t, 0.0F);
         }
-        append(vase, sweep(circle(0.018F, 8), frames_along(path, {0.0F, 0.0F, 1.0F})));
+        append(vase, sweep(circle(0.018F, 6), frames_along(path, {0.0F, 0.0F, 1.0F})));
     }
     return vase;
 }
 
 Mesh chain(float length) {
     std::vector<vec3> loop;
-    for (const vec2& point : circle(1.0F, 8))
+    for (const vec2& point : circle(1.0F, 7))
         loop.emplace_back(0.017F * point.x, 0.03F * point.y, 0.0F);
     SweepOptions closed;
     closed.closed_path = true;
     const Mesh link =
-        sweep(circle(0.0055F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
+        sweep(circle(0.0055F, 3), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     Mesh whole;
     constexpr float kStep = 0.047F;
     const int links = static_cast<int>(length / kStep);
@@ -211,7 +257,7 @@ void put_planter(Site& site, vec3 foot, bool stone, int plant, std::uint32_t see
     if (plant == 0) {
         site.put_mapped(Surface::kLeaf, palm(seed, 46, stone ? 1.35F : 1.05F), crown);
     } else {
-        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 340 : 260, stone ? 0.46F : 0.36F),
+        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 310 : 230, stone ? 0.46F : 0.36F),
                         crown);
     }
 }
@@ -233,6 +279,11 @@ void build_furnishings(Site& site) {
     put_planter(site, {-6.1F, 0.0F, -5.3F}, false, 0, 310U);
     put_planter(site, {6.1F, kGalleryFloor, 3.6F}, false, 1, 311U);
     put_planter(site, {6.1F, kGalleryFloor, -3.6F}, false, 0, 312U);
+
+    put_flower_box(site, 1, -1.8F - 0.92F, 1.5F, 321U);
+    put_flower_box(site, 1, 2.64F, 1.2F, 322U);
+    put_flower_box(site, -1, 4.48F, 1.4F, 323U);
+    put_flower_box(site, -1, -2.7F, 1.3F, 324U);
 
     const Mesh vase = amphora();
     // On the sills of the aisle's niches: every third bay, one on the right side, is a door.

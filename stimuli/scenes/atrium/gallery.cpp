@@ -110,7 +110,8 @@ void build_galleries(Site& site) {
     slender.height = kUpperSpringing - kRailTop - 0.08F;
     slender.radius = 0.135F;
     slender.abacus = 0.42F;
-    slender.segments = 16;
+    slender.segments = 18;
+    slender.scrolls = false;
     slender.leaves = 6;
     slender.leaf_detail = 5;
     const Mesh pillar = column(slender);

@@ -157,7 +157,9 @@ void put_voussoirs(Site& site, const Ring& ring, const glm::mat4& transform) {
             vertex.tangent = glm::vec4(rotated(vec3(vertex.tangent)), vertex.tangent.w);
         }
         const std::uint32_t seed = ring.seed * 64U + static_cast<std::uint32_t>(i);
-        site.put(Surface::kStone, block, transform, seed, shade(seed, 0.2F));
+        // A warmer and a paler stone take turns.
+        const vec3 stone = (i & 1) != 0 ? vec3(0.86F, 0.76F, 0.66F) : vec3(1.0F, 0.97F, 0.93F);
+        site.put(Surface::kStone, block, transform, seed, stone * shade(seed, 0.16F));
     }
 }
 

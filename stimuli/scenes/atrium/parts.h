@@ -134,6 +134,7 @@ struct ColumnShape {
     int segments = 24;
     int leaves = 8;       ///< in each of two rows
     int leaf_detail = 8;  ///< cells along and around each
+    bool scrolls = true;  ///< volutes below the corners of the abacus
 };
 [[nodiscard]] renderer::Mesh column(const ColumnShape& shape);
 

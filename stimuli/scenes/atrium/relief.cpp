@@ -41,8 +41,8 @@ float mane(vec2 p) {
     // Three rings of locks, each half a lock further round and swung a little.
     for (int ring = 0; ring < 3; ++ring) {
         const auto k = static_cast<float>(ring);
-        const float inner = 0.36F + 0.15F * k;
-        const float outer = 0.66F + 0.16F * k;
+        const float inner = 0.40F + 0.14F * k;
+        const float outer = 0.68F + 0.15F * k;
         const float t = (r - inner) / (outer - inner);
         if (t < 0.0F || t > 1.0F) continue;
         const float locks = 15.0F + 4.0F * k;
@@ -51,9 +51,9 @@ float mane(vec2 p) {
         const float across = 2.0F * (phase - std::floor(phase)) - 1.0F;
         const float width = std::sqrt(std::max(0.0F, 1.0F - t * t));
         const float body = std::max(0.0F, 1.0F - across * across / (width * width + 1e-3F));
-        const float strands = 0.85F + 0.15F * std::cos(across * 12.0F);
-        const float level = 0.30F - 0.075F * k;
-        height = std::max(height, (level + 0.13F * std::sqrt(body) * strands) *
+        const float strands = 0.9F + 0.1F * std::cos(across * 9.0F);
+        const float level = 0.25F - 0.065F * k;
+        height = std::max(height, (level + 0.14F * std::sqrt(body) * strands) *
                                       glm::smoothstep(1.0F, 0.8F, t) * (body > 0.0F ? 1.0F : 0.0F));
     }
     return height;
@@ -61,20 +61,23 @@ float mane(vec2 p) {
 
 /// Height of a lion's mask over the unit disc; symmetric in x but for its mane.
 float lion(vec2 p) {
-    const vec2 q(std::abs(p.x), p.y);
-    float face = dome(q, {0.0F, 0.0F}, {0.46F, 0.56F}, 0.46F);
-    face = blend(face, dome(q, {0.2F, -0.12F}, {0.2F, 0.2F}, 0.46F), 0.06F);
-    face = blend(face, dome(q, {0.15F, 0.21F}, {0.2F, 0.11F}, 0.54F), 0.05F);
-    face += 0.10F * bump(q, {0.0F, 0.08F}, {0.085F, 0.24F});
-    face += 0.16F * bump(q, {0.0F, -0.1F}, {0.12F, 0.07F});
-    face = blend(face, dome(q, {0.105F, -0.22F}, {0.15F, 0.13F}, 0.62F), 0.04F);
-    face = blend(face, dome(q, {0.0F, -0.46F}, {0.15F, 0.12F}, 0.47F), 0.04F);
-    face -= 0.26F * bump(q, {0.0F, -0.345F}, {0.15F, 0.042F});
-    face -= 0.05F * bump(q, {0.0F, -0.2F}, {0.012F, 0.1F});
-    face -= 0.09F * bump(q, {0.055F, -0.135F}, {0.03F, 0.022F});
-    face -= 0.15F * bump(q, {0.185F, 0.09F}, {0.095F, 0.05F});
-    face += 0.11F * bump(q, {0.18F, 0.085F}, {0.05F, 0.036F});
-    face -= 0.05F * bump(q, {0.0F, 0.3F}, {0.02F, 0.12F});
+    const vec2 face_p = (p + vec2(0.0F, -0.02F)) / 1.22F;
+    const vec2 q(std::abs(face_p.x), face_p.y);
+    float face = dome(q, {0.0F, 0.0F}, {0.44F, 0.58F}, 0.44F);
+    face = blend(face, dome(q, {0.2F, -0.1F}, {0.19F, 0.2F}, 0.46F), 0.06F);
+    face = blend(face, dome(q, {0.15F, 0.22F}, {0.19F, 0.1F}, 0.56F), 0.05F);
+    face += 0.12F * bump(q, {0.0F, 0.08F}, {0.08F, 0.22F});
+    face += 0.17F * bump(q, {0.0F, -0.09F}, {0.115F, 0.06F});
+    face = blend(face, dome(q, {0.1F, -0.21F}, {0.155F, 0.125F}, 0.64F), 0.03F);
+    face = blend(face, dome(q, {0.0F, -0.47F}, {0.17F, 0.12F}, 0.52F), 0.03F);
+    face -= 0.34F * bump(q, {0.0F, -0.365F}, {0.17F, 0.05F});
+    face += 0.12F * bump(q, {0.095F, -0.335F}, {0.018F, 0.035F});
+    face -= 0.06F * bump(q, {0.0F, -0.2F}, {0.012F, 0.1F});
+    face -= 0.10F * bump(q, {0.055F, -0.125F}, {0.03F, 0.022F});
+    face -= 0.20F * bump(q, {0.18F, 0.085F}, {0.1F, 0.055F});
+    face += 0.15F * bump(q, {0.175F, 0.08F}, {0.05F, 0.036F});
+    face -= 0.06F * bump(q, {0.0F, 0.3F}, {0.02F, 0.12F});
+    face -= 0.04F * bump(q, {0.08F, 0.33F}, {0.02F, 0.07F});
     const float whiskers =
         0.012F * std::cos(60.0F * (q.y + 0.5F * q.x)) * bump(q, {0.16F, -0.22F}, {0.09F, 0.07F});
     const float ear = dome(q, {0.37F, 0.42F}, {0.14F, 0.15F}, 0.5F) -

@@ -66,13 +66,14 @@ void build_floors(Site& site) {
 }
 
 /// A squared timber from a to b; the grain runs along it.
-void put_beam(Site& site, vec3 a, vec3 b, float width, float height, std::uint32_t seed) {
+void put_beam(Site& site, vec3 a, vec3 b, float width, float height, std::uint32_t seed,
+              float bevel = 0.0F) {
     const vec3 along = glm::normalize(b - a);
     const vec3 side = glm::normalize(glm::cross(along, vec3(0.0F, 1.0F, 0.0F)));
     const vec3 up = glm::cross(side, along);
     const glm::mat4 frame(glm::vec4(side, 0.0F), glm::vec4(along, 0.0F), glm::vec4(-up, 0.0F),
                           glm::vec4(0.5F * (a + b), 1.0F));
-    const Mesh timber = bevelled_box({width, glm::length(b - a), height}, 0.015F);
+    const Mesh timber = bevelled_box({width, glm::length(b - a), height}, bevel);
     site.put(Surface::kWood, timber, frame, seed, shade(seed, 0.3F));
 }
 
@@ -100,7 +101,7 @@ void build_ceiling(Site& site, float side, float boards_y, float inner_x, float 
         if (!main_here || i == 0) continue;
         const float line = -kHalfLength + kBay * static_cast<float>(i / 6);
         put_beam(site, {x(inner_x), boards_y - 0.2F, line}, {x(outer_x), boards_y - 0.2F, line},
-                 0.28F, 0.4F, seed + 100U + static_cast<std::uint32_t>(i));
+                 0.28F, 0.4F, seed + 100U + static_cast<std::uint32_t>(i), 0.02F);
         // A stone corbel carries the beam at the wall.
         site.put(Surface::kStone, bevelled_box({0.42F, 0.3F, 0.34F}, 0.05F),
                  at(x(outer_x - 0.2F), boards_y - 0.55F, line),
@@ -122,7 +123,7 @@ void build_roof(Site& site, float side, std::uint32_t seed) {
     const int rolls = static_cast<int>(length / kPitch);
     const int courses = static_cast<int>((kOuter - kInner) / kCourse);
     PatchOptions options;
-    options.columns = rolls * 5;
+    options.columns = rolls * 4;
     options.size_m = {length, kOuter - kInner};
     options.rows = 1;
     const auto place = [&](int row, float u, float v) {

@@ -21,6 +21,12 @@ const vec3& colour() {
     return linear;
 }
 
+/// The noise that the textures share: 8 x 8 cells, read at whole multiples of uv and free offsets.
+float noise(vec2 uv) {
+    static const NoiseTile tile(31, 8, 5);
+    return tile.at(uv);
+}
+
 /// Where a point lies in a wall of blocks: distance to the block's nearest edge, and its id.
 struct Masonry {
     float edge_m = 0.0F;
@@ -63,35 +69,32 @@ float unit_of(std::uint32_t id, int which) {
     return hash_unit(static_cast<int>(id & 0xffffU), static_cast<int>(id >> 16), which, 77);
 }
 
-/// Weathered limestone: mottled, finely pitted.
-Texel limestone(vec2 uv, float cells, std::uint32_t seed) {
-    const glm::ivec2 period(static_cast<int>(cells));
-    const vec2 p = uv * cells;
-    const float broad = fbm(p, seed, 4, period);
-    const float fine = fbm(p * 8.0F, seed + 1, 3, period * 8);
-    const float clustered = glm::smoothstep(0.0F, 0.5F, broad + 0.3F * fine);
-    const float grains = value_noise(p * 22.0F, seed + 2, period * 22);
-    const float hole = clustered * glm::smoothstep(0.74F, 0.86F, grains);
+/// Weathered limestone: mottled, finely pitted where it is weakest.
+Texel limestone(vec2 uv, vec2 offset) {
+    const float broad = noise(uv + offset);
+    const float fine = noise(uv * 9.0F + offset.y);
+    const float grains = noise(uv * 17.0F + offset.x);
+    const float hole =
+        glm::smoothstep(0.0F, 0.5F, broad + 0.3F * fine) * glm::smoothstep(0.28F, 0.42F, grains);
     Texel texel;
     texel.albedo = glm::mix(colour<0x9c8c72>(), colour<0xc4b595>(),
                             glm::clamp(0.5F + 0.9F * broad, 0.0F, 1.0F));
-    texel.albedo *= (1.0F + 0.13F * fine) * (1.0F - 0.35F * hole);
+    texel.albedo *= (1.0F + 0.16F * fine) * (1.0F - 0.35F * hole);
     texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.0022F * hole;
     return texel;
 }
 
 Texel ashlar(vec2 uv) {
     const vec2 size_m(3.2F);
-    const glm::ivec2 period(8);
-    const vec2 wobble(fbm(uv * 16.0F, 5, 3, period * 2), fbm(uv * 16.0F, 6, 3, period * 2));
+    const vec2 wobble(noise(uv * 2.0F), noise(uv * 2.0F + 0.37F));
     const Masonry block = masonry(uv + 0.0022F * wobble, size_m, {5, 9}, 0.34F, 21);
     const float tone = unit_of(block.id, 0);
     const float warmth = unit_of(block.id, 1);
     const float chipped =
-        std::max(0.0F, fbm(uv * 32.0F, 9, 3, period * 4) - 0.1F) * 0.05F * unit_of(block.id, 2);
+        std::max(0.0F, noise(uv * 4.0F + 0.71F) - 0.1F) * 0.05F * unit_of(block.id, 2);
     const float edge = block.edge_m - chipped;
     const float inside = glm::smoothstep(0.004F, 0.018F, edge);
-    Texel texel = limestone(uv, 8.0F, 31);
+    Texel texel = limestone(uv, vec2(unit_of(block.id, 3), unit_of(block.id, 4)));
     texel.albedo *= (0.66F + 0.48F * tone) *
                     glm::mix(vec3(1.03F, 0.99F, 0.92F), vec3(0.98F, 1.0F, 1.03F), warmth);
     texel.albedo *= 0.80F + 0.20F * glm::smoothstep(0.008F, 0.06F, edge);
@@ -108,8 +111,7 @@ Texel brickwork(vec2 uv, vec2 size_m, glm::ivec2 counts) {
     const Masonry brick = masonry(uv, size_m, counts, 0.06F, 91);
     const float inside = glm::smoothstep(0.005F, 0.011F, brick.edge_m);
     const float tone = unit_of(brick.id, 0);
-    const glm::ivec2 period(64, 32);
-    const float grit = fbm(uv * vec2(period), 41, 3, period);
+    const float grit = noise(uv * vec2(8.0F, 4.0F) + 0.13F);
     vec3 clay = glm::mix(colour<0x8f5a41>(), colour<0xb98263>(), tone);
     clay = glm::mix(clay, colour<0x7a5546>(), unit_of(brick.id, 1) > 0.8F ? 0.7F : 0.0F);
     Texel texel;
@@ -123,10 +125,10 @@ Texel plaster(vec2 uv) {
     const vec2 size_m(8.0F, 4.0F);
     const glm::ivec2 period(8, 4);
     const vec2 p = uv * vec2(period);
-    const float broad = fbm(p * 0.5F + 0.25F, 51, 4, {4, 2});
-    const float medium = fbm(p * 3.0F, 52, 4, period * 3);
-    const float fine = fbm(p * 24.0F, 53, 2, period * 24);
-    const float loss = fbm(p, 54, 5, period) + 0.35F * broad - 0.42F;
+    const float broad = fbm(p * 0.5F + 0.25F, 51, 2, {4, 2});
+    const float medium = noise(uv * vec2(4.0F, 2.0F));
+    const float fine = noise(uv * vec2(26.0F, 13.0F) + 0.3F);
+    const float loss = fbm(p, 54, 4, period) + 0.06F * medium + 0.35F * broad - 0.40F;
     const float gone = glm::smoothstep(-0.004F, 0.012F, loss);
     const float lip = glm::smoothstep(-0.05F, 0.0F, loss) * (1.0F - gone);
     const Cell crack_cell = cellular(p * 1.5F + 0.25F * medium, 55, {12, 6});
@@ -136,7 +138,7 @@ Texel plaster(vec2 uv) {
     Texel texel;
     texel.albedo = glm::mix(colour<0xb08f69>(), colour<0xcdb48f>(),
                             glm::clamp(0.5F + 0.7F * broad + 0.35F * medium, 0.0F, 1.0F));
-    const float repaired = glm::smoothstep(0.18F, 0.2F, fbm(p + 13.0F, 56, 3, period));
+    const float repaired = glm::smoothstep(0.18F, 0.2F, noise(uv + 0.61F));
     texel.albedo = glm::mix(texel.albedo, colour<0xcbb89b>(), 0.6F * repaired);
     texel.albedo *= 1.0F + 0.06F * fine - 0.35F * crack + 0.12F * lip;
     texel.height_m = 0.003F * medium + 0.0006F * fine - 0.002F * crack + 0.001F * repaired;
@@ -154,17 +156,16 @@ Texel floor_tiles(vec2 uv) {
     const vec2 to_edge = glm::min(in_cell, 1.0F - in_cell) * 0.6F;
     const glm::ivec2 tile(cell);
     const std::uint32_t id = hash_lattice(tile.x, tile.y, 0, 61);
-    const glm::ivec2 period(8);
-    const float chips = std::max(0.0F, fbm(uv * 64.0F, 62, 3, {64, 64}) - 0.15F) * 0.03F;
+    const float chips = std::max(0.0F, noise(uv * 8.0F + 0.2F) - 0.15F) * 0.03F;
     const float edge = std::min(to_edge.x, to_edge.y) - chips;
     const float corner = to_edge.x + to_edge.y - 0.05F * (unit_of(id, 1) > 0.7F ? 1.0F : 0.0F);
     const float inside = glm::smoothstep(0.003F, 0.009F, std::min(edge, corner));
-    const vec2 q = uv * 8.0F;
-    const float broad = fbm(q, 63 + (id & 3U), 5, period);
-    const float vein = glm::smoothstep(0.93F, 0.995F, ridged(q, 71 + (id & 1U), 3, period));
-    const float fine = fbm(uv * 128.0F, 64, 2, {128, 128});
-    const float scratch =
-        glm::smoothstep(0.3F, 0.6F, fbm(uv * vec2(16.0F, 96.0F), 65 + (id & 1U), 2, {16, 96}));
+    // Each tile was sawn from another place in the stone.
+    const vec2 place = uv + vec2(unit_of(id, 2), unit_of(id, 3));
+    const float broad = noise(place);
+    const float vein = glm::smoothstep(0.05F, 0.0F, std::abs(noise(vec2(place.y, place.x) + 0.4F)));
+    const float fine = noise(uv * 14.0F);
+    const float scratch = glm::smoothstep(0.3F, 0.6F, noise(uv * vec2(2.0F, 12.0F) + place.x));
     Texel texel;
     texel.albedo =
         glm::mix(colour<0x8d7d66>(), colour<0xbaa98b>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
@@ -191,13 +192,12 @@ Texel wood(vec2 uv) {
 }
 
 Texel clay(vec2 uv) {
-    const glm::ivec2 period(8);
-    const float broad = fbm(uv * 8.0F, 101, 4, period);
-    const float fine = fbm(uv * 64.0F, 102, 3, {64, 64});
-    const float lichen = glm::smoothstep(0.25F, 0.4F, fbm(uv * 16.0F, 103, 4, {16, 16}));
+    const float broad = noise(uv);
+    const float fine = noise(uv * 8.0F);
+    const float lichen = glm::smoothstep(0.2F, 0.35F, noise(uv * 2.0F + 0.5F));
     Texel texel;
     texel.albedo =
-        glm::mix(colour<0x8e5238>(), colour<0xb97a55>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
+        glm::mix(colour<0x74432f>(), colour<0xa2684a>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     texel.albedo = glm::mix(texel.albedo, colour<0x9a8e74>(), 0.55F * lichen);
     texel.albedo *= 1.0F + 0.15F * fine;
     texel.height_m = 0.001F * broad + 0.0008F * fine;
@@ -208,8 +208,8 @@ Texel clay(vec2 uv) {
 Texel cloth(vec2 uv) {
     const vec2 thread = uv * 120.0F * 6.2831853F;
     const float weave = 0.5F + 0.5F * std::sin(thread.x) * std::sin(thread.y);
-    const float faded = fbm(uv * 3.0F, 111, 4, {3, 3});
-    const float slub = fbm(uv * vec2(96.0F, 6.0F), 112, 2, {96, 6});
+    const float faded = noise(uv);
+    const float slub = noise(uv * vec2(12.0F, 1.0F));
     Texel texel;
     texel.albedo = vec3(0.80F + 0.2F * faded + 0.08F * slub) * (0.88F + 0.12F * weave);
     texel.height_m = 0.0005F * weave + 0.0004F * slub;
@@ -250,7 +250,7 @@ Texel leaf(vec2 uv) {
     const float middle = 1.0F - glm::smoothstep(0.0F, 0.09F, across);
     const float ribs = std::abs(glm::fract(uv.y * 7.0F + 0.9F * across) - 0.5F) * 2.0F;
     const float rib = (1.0F - glm::smoothstep(0.0F, 0.16F, ribs)) * (1.0F - across);
-    const float mottle = fbm(uv * 8.0F, 121, 4, {8, 8});
+    const float mottle = noise(uv);
     Texel texel;
     texel.albedo = glm::mix(colour<0x3d5a26>(), colour<0x6d8a41>(),
                             glm::clamp(0.45F + 0.6F * mottle, 0.0F, 1.0F));
@@ -261,7 +261,7 @@ Texel leaf(vec2 uv) {
 
 Texel soil(vec2 uv) {
     const Cell clod = cellular(uv * 24.0F, 131, {24, 24});
-    const float fine = fbm(uv * 64.0F, 132, 2, {64, 64});
+    const float fine = noise(uv * 8.0F);
     Texel texel;
     texel.albedo = colour<0x43342a>() * (0.8F + 0.5F * unit_of(clod.id, 0) + 0.3F * fine);
     texel.height_m = -0.006F * clod.nearest + 0.001F * fine;
@@ -269,7 +269,7 @@ Texel soil(vec2 uv) {
 }
 
 Texel iron(vec2 uv) {
-    const float rust = fbm(uv * 16.0F, 141, 4, {16, 16});
+    const float rust = noise(uv * 2.0F);
     Texel texel;
     texel.albedo =
         glm::mix(colour<0x2c2a29>(), colour<0x5a4030>(), glm::smoothstep(0.0F, 0.5F, rust));
@@ -289,7 +289,7 @@ struct Finish {
     bool double_sided;
 };
 
-Texel stone(vec2 uv) { return limestone(uv, 6.0F, 11); }
+Texel stone(vec2 uv) { return limestone(uv, vec2(0.0F)); }
 Texel lamp_glass(vec2 uv) {
     Texel texel;
     texel.albedo = colour<0xd9c79a>() * (1.0F + 0.15F * fbm(uv * 4.0F, 151, 3, {4, 4}));

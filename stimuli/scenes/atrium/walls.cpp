@@ -34,7 +34,7 @@ struct Panel {
 
 /// A rectangle in the plane z whose uv are its place on the wall.
 Mesh wall_rectangle(float x0, float x1, float y0, float y1, float z) {
-    Mesh mesh = rectangle({x0, y0, z}, {x1 - x0, 0.0F, 0.0F}, {0.0F, y1 - y0, 0.0F}, 0.2F);
+    Mesh mesh = rectangle({x0, y0, z}, {x1 - x0, 0.0F, 0.0F}, {0.0F, y1 - y0, 0.0F}, 0.25F);
     for (Vertex& vertex : mesh.vertices) {
         vertex.uv = vec2(vertex.position_m.x, -vertex.position_m.y);
     }
@@ -44,7 +44,7 @@ Mesh wall_rectangle(float x0, float x1, float y0, float y1, float z) {
 void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint32_t seed) {
     const float foot = o.door ? o.foot : o.sill;
     const float height = o.springing + o.radius - foot;
-    constexpr int kPlanks = 8;
+    constexpr int kPlanks = 6;
     const float width = 2.0F * o.radius / kPlanks;
     const float z = -0.6F * o.depth;
     for (int i = 0; i < kPlanks; ++i) {
@@ -53,6 +53,10 @@ void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint3
         site.put(Surface::kWood, bevelled_box({width - 0.006F, height, 0.06F}, 0.012F),
                  frame * at(x, foot + 0.01F + 0.5F * height, z), own, shade(own, 0.25F));
     }
+    // No light between the boards.
+    site.put(Surface::kWood, bevelled_box({2.0F * o.radius, height, 0.03F}, 0.0F),
+             frame * at(o.centre_x, foot + 0.01F + 0.5F * height, z - 0.04F), seed + 9U,
+             vec3(0.3F));
     for (const float y : {0.14F, 0.42F, 0.68F}) {
         const float at_y = foot + y * height;
         site.put(Surface::kIron, bevelled_box({2.0F * o.radius - 0.12F, 0.06F, 0.016F}, 0.005F),
@@ -86,7 +90,7 @@ void put_frame(Site& site, const Opening& o, const glm::mat4& frame, std::uint32
     ring.width = kWidth;
     ring.z0 = -0.1F;
     ring.z1 = 0.05F;
-    ring.blocks = 9;
+    ring.blocks = 7;
     ring.seed = seed;
     put_voussoirs(site, ring, frame);
     const int blocks = 3;

@@ -24,25 +24,33 @@ float streaks(const vec3& p, const vec3& normal, float ledge_y, float reach_m, s
 vec3 masonry_tone(const vec3& p, const vec3& normal) {
     const float broad = fbm(p * 0.45F, 501, 3);
     const float medium = fbm(p * 1.9F, 502, 3);
-    float tone = 0.93F + 0.10F * broad + 0.08F * medium;
+    float tone = 0.90F + 0.16F * broad + 0.12F * medium;
     const vec3 warm =
         glm::mix(vec3(1.0F), vec3(1.0F, 0.955F, 0.88F), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     vec3 colour = warm;
+    // Long runs of old rain, broad and faint.
+    if (std::abs(normal.y) < 0.5F) {
+        const float run = value_noise(vec3(p.x * 5.0F, p.y * 0.35F, p.z * 5.0F), 504);
+        tone *= 1.0F - 0.22F * glm::smoothstep(0.55F, 0.95F, run);
+    }
     // Splashing rain and boots at the foot of both storeys.
     for (const float floor_y : {0.0F, kGalleryFloor}) {
         const float above = p.y - floor_y;
         if (above < -0.05F) continue;
         const float damp = std::exp(-above / (0.28F + 0.22F * medium));
-        tone *= 1.0F - 0.30F * damp;
+        tone *= 1.0F - 0.38F * damp;
         colour = glm::mix(colour, vec3(0.86F, 0.9F, 0.78F), 0.35F * damp);
     }
-    const bool in_court = std::abs(p.x) < kArcadeX;
-    if (in_court) {
-        float soot = streaks(p, normal, kLowerTop + 0.02F, 0.9F, 511) +
-                     streaks(p, normal, kUpperTop + 0.2F, 0.6F, 513);
-        soot = std::min(1.0F, soot);
-        tone *= 1.0F - 0.42F * soot;
-        colour = glm::mix(colour, vec3(0.9F, 0.92F, 0.9F), soot);
+    if (std::abs(p.x) < kArcadeX) {
+        const float soot = std::min(1.0F, streaks(p, normal, kLowerTop + 0.3F, 1.6F, 511) +
+                                              streaks(p, normal, kUpperTop + 0.5F, 1.2F, 513));
+        tone *= 1.0F - 0.6F * soot;
+        colour = glm::mix(colour, vec3(0.88F, 0.92F, 0.9F), soot);
+        // What faces the sky collects dust and lichen.
+        if (normal.y > 0.6F && p.y > 0.5F) {
+            const float lichen = glm::smoothstep(0.0F, 0.4F, fbm(p * 4.0F, 515, 3));
+            colour = glm::mix(colour, vec3(0.72F, 0.70F, 0.56F), 0.6F * lichen);
+        }
     }
     return glm::clamp(colour * tone, 0.0F, 1.0F);
 }
@@ -55,6 +63,13 @@ vec3 floor_tone(const vec3& p, const vec3& /*normal*/) {
     return glm::clamp(vec3(1.0F, 0.985F, 0.96F) * tone, 0.0F, 1.0F);
 }
 
+vec3 clay_tone(const vec3& p, const vec3& /*normal*/) {
+    const float tile = value_noise(p * 4.3F, 531);
+    const float broad = fbm(p * 0.7F, 532, 3);
+    const vec3 smoke = glm::mix(vec3(1.0F), vec3(0.62F, 0.66F, 0.66F), tile);
+    return glm::clamp(smoke * (0.85F + 0.25F * broad), 0.0F, 1.0F);
+}
+
 }  // namespace
 
 void weather(Site& site) {
@@ -62,6 +77,7 @@ void weather(Site& site) {
         paint(site.mesh(surface), masonry_tone);
     }
     paint(site.mesh(Surface::kFloor), floor_tone);
+    paint(site.mesh(Surface::kRoof), clay_tone);
 }
 
 }  // namespace obscura::stimuli::atrium

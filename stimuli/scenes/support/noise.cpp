@@ -186,6 +186,30 @@ float ridged(glm::vec3 p, std::uint32_t seed, int octaves, float gain) {
     });
 }
 
+NoiseTile::NoiseTile(std::uint32_t seed, int cells, int octaves)
+    : values_(static_cast<std::size_t>(kSize) * kSize) {
+    const float step = static_cast<float>(cells) / kSize;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            const glm::vec2 p(static_cast<float>(x) * step, static_cast<float>(y) * step);
+            values_[static_cast<std::size_t>(y * kSize + x)] =
+                fbm(p, seed, octaves, {cells, cells});
+        }
+    }
+}
+
+float NoiseTile::at(glm::vec2 uv) const {
+    const glm::vec2 p = uv * static_cast<float>(kSize);
+    const glm::ivec2 base = cell_of(p);
+    const glm::vec2 f = p - glm::vec2(base);
+    constexpr int kMask = kSize - 1;
+    const auto value = [&](int x, int y) {
+        return values_[static_cast<std::size_t>((y & kMask) * kSize + (x & kMask))];
+    };
+    return lerp(lerp(value(base.x, base.y), value(base.x + 1, base.y), f.x),
+                lerp(value(base.x, base.y + 1), value(base.x + 1, base.y + 1), f.x), f.y);
+}
+
 Cell cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period) {
     const glm::ivec2 base = cell_of(p);
     Cell found{1e9F, 1e9F, 0, {}};
