@@ -11,6 +11,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/random.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::base {
 namespace {
@@ -42,14 +43,13 @@ TEST(Random, DrawsBelowAreUniform) {
 
 TEST(Files, AnUnfinishedWriteLeavesTheOldFileAndNothingElse) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::path(testing::TempDir()) / "obscura-files";
-    fs::remove_all(folder);
+    const test::TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     write_file_atomically(folder / "a.txt", "old");
     fs::create_directory(folder / "b.txt");  // a rename onto a folder fails
     EXPECT_THROW(write_file_atomically(folder / "b.txt", "new"), Error);
     EXPECT_EQ(read_file(folder / "a.txt"), "old");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
-    fs::remove_all(folder);
 }
 
 TEST(Files, AnUnwritableFolderIsRefusedWithItsOption) {

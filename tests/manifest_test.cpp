@@ -13,6 +13,7 @@
 #include "renderer/base/hash.h"
 #include "stimuli/study_reader.h"
 #include "tests/study_fixture.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -27,10 +28,6 @@ using testing::IsEmpty;
 class Stimuli : public testing::Test {
   protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / (std::string("obscura-stimuli-") + test->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         study_ = read_study(kSmallStudy, test_catalogue()).study;
         study_.width = 4;
         study_.height = 3;
@@ -41,7 +38,6 @@ class Stimuli : public testing::Test {
         }
         save_manifest(folder_ / "manifest.json", manifest_);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write_png(const fs::path& path, int width, int height) {
         const std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * height * 3,
@@ -82,7 +78,8 @@ class Stimuli : public testing::Test {
         return problems_of_stimuli(study_, folder_);
     }
 
-    fs::path folder_;
+    test::TemporaryFolder temporary_;
+    fs::path folder_ = temporary_.path();
     Study study_;
     Manifest manifest_;
     unsigned char shade_ = 10;

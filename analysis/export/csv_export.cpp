@@ -58,6 +58,50 @@ class PassingFolder {
     fs::path path_;
 };
 
+/// Renames files from a folder to their places; what stood there goes back unless all are kept.
+class Placement {
+  public:
+    Placement(fs::path from, fs::path to) : from_(std::move(from)), to_(std::move(to)) {}
+    ~Placement() {
+        std::error_code ignored;
+        for (const std::string& name : placed_) fs::remove(to_ / name, ignored);
+        for (const std::string& name : set_aside_) fs::rename(aside(name), to_ / name, ignored);
+    }
+    Placement(const Placement&) = delete;
+    Placement& operator=(const Placement&) = delete;
+
+    void place(const std::string& name) {
+        if (fs::exists(fs::symlink_status(to_ / name))) {
+            move(to_ / name, aside(name));
+            set_aside_.push_back(name);
+        }
+        move(from_ / name, to_ / name);
+        placed_.push_back(name);
+    }
+    void keep() {
+        placed_.clear();
+        set_aside_.clear();
+    }
+
+  private:
+    [[nodiscard]] fs::path aside(const std::string& name) const {
+        return from_ / ("earlier-" + name);
+    }
+    static void move(const fs::path& from, const fs::path& to) {
+        std::error_code error;
+        fs::rename(from, to, error);
+        if (error) {
+            throw base::failure("cannot rename {} to {}: {}", from.string(), to.string(),
+                                error.message());
+        }
+    }
+
+    fs::path from_;
+    fs::path to_;
+    std::vector<std::string> placed_;
+    std::vector<std::string> set_aside_;
+};
+
 }  // namespace
 
 std::vector<ExportFile> csv_export(const StoreContents& contents) {
@@ -93,14 +137,9 @@ void write_export(const std::vector<ExportFile>& files, const fs::path& folder, 
     for (const ExportFile& file : files) {
         base::write_file_atomically(partial.path() / file.name, file.bytes);
     }
-    for (const ExportFile& file : files) {
-        std::error_code error;
-        fs::rename(partial.path() / file.name, folder / file.name, error);
-        if (error) {
-            throw base::failure("cannot write {}: {}", (folder / file.name).string(),
-                                error.message());
-        }
-    }
+    Placement placement(partial.path(), folder);
+    for (const ExportFile& file : files) placement.place(file.name);
+    placement.keep();
 }
 
 }  // namespace obscura::analysis

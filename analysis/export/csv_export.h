@@ -21,8 +21,10 @@ struct ExportFile {
 /// column the BIDS keys Description, Levels and Units.
 [[nodiscard]] std::vector<ExportFile> csv_export(const StoreContents& contents);
 
-/// Writes all of the files or none: first into a folder beside them, then each is renamed to its
-/// place. Throws bad input when the folder cannot be written or a file is there already and
+/// Writes all of the files or none: first into the folder .export-PID in there, then each is
+/// renamed to its place; when that fails half-way, what stood there before comes back. Only a
+/// program killed between two renames leaves some files and not others, and the earlier ones in
+/// .export-PID. Throws bad input when the folder cannot be written or a file is there already and
 /// `overwrite` is false; failure, with nothing left behind, when writing fails.
 void write_export(const std::vector<ExportFile>& files, const std::filesystem::path& folder,
                   bool overwrite);

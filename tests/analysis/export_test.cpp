@@ -14,7 +14,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/analysis/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -305,6 +305,16 @@ TEST_F(ExportTest, WhenOneFileCannotBeWrittenNoneIs) {
     const std::string impossible(300, 'x');  // longer than a name may be
     EXPECT_THROW(write_export({{"one.csv", "new\n"}, {impossible, "new\n"}}, out, true),
                  base::Error);
+    EXPECT_EQ(base::read_file(out / "one.csv"), "old\n");
+    EXPECT_THAT(names_in(out), ElementsAre("one.csv"));
+}
+
+TEST_F(ExportTest, ARenameThatFailsHalfWayGivesTheEarlierFilesBack) {
+    base::write_file_atomically(out / "one.csv", "old\n");
+    // Written in its own folder, but there is no such folder at its place.
+    EXPECT_THROW(
+        write_export({{"one.csv", "new\n"}, {"two.csv", "new\n"}, {"no/three.csv", ""}}, out, true),
+        base::Error);
     EXPECT_EQ(base::read_file(out / "one.csv"), "old\n");
     EXPECT_THAT(names_in(out), ElementsAre("one.csv"));
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include "renderer/base/files.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::app {
 
@@ -20,30 +19,8 @@ struct ProgramRun {
     std::string err;
 };
 
-/// A folder of the running test, empty at its start and gone after it.
-class TestFolder {
-  public:
-    TestFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::path(testing::TempDir()) /
-                (std::string("obscura-") + test->test_suite_name() + "-" + test->name());
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~TestFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 /// Runs `obscura ARGUMENTS` in the folder; the arguments are words of the shell.
-inline ProgramRun run_program(const TestFolder& folder, const std::string& arguments) {
+inline ProgramRun run_program(const test::TemporaryFolder& folder, const std::string& arguments) {
     const std::string command = "cd '" + folder.path().string() + "' && '" OBSCURA_PROGRAM "' " +
                                 arguments + " >stdout.txt 2>stderr.txt";
     const int status = std::system(command.c_str());

@@ -49,7 +49,7 @@ class StudyCommands : public testing::Test {
         base::write_file_atomically(folder_.path() / "bad.toml", text);
     }
 
-    TestFolder folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(StudyCommands, CheckCountsWhatIsInAStudyWithoutProblems) {

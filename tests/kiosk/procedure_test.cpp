@@ -6,77 +6,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
-#include "tests/kiosk/small_study.h"
+#include "tests/kiosk/script.h"
 
 namespace obscura::app::kiosk {
 namespace {
 
 using analysis::EventRecord;
 using analysis::TrialRecord;
-
-/// A procedure with a script: every call happens at the time given.
-class Script {
-  public:
-    explicit Script(const stimuli::Study& study, bool swapped = false)
-        : procedure(study, small_plan(study, swapped)) {}
-
-    void at(double time_s, const Event& event) {
-        for (Row& row : procedure.step(event, {time_s, fmt::format("t{}", time_s)})) {
-            rows.push_back(std::move(row));
-        }
-    }
-    void shown_at(double time_s) { at(time_s, ScreenPresented{}); }
-
-    /// From the start to the page of pairs, visible at 10 s; the session begins at 4 s.
-    void reach_pairs() {
-        shown_at(0);
-        at(1, StartPressed{});
-        shown_at(2);
-        at(4, FormSubmitted{filled_form()});
-        shown_at(5);
-        at(9, InstructionsRead{});
-        shown_at(10);
-    }
-
-    /// One pair from time `t`: first image from t+1 for 3 s, second from t+6.02 for 4 s, question
-    /// from t+11 for 1.5 s; then the next screen at t+13.
-    void answer_pair(double t, int pair, bool first) {
-        at(t, PairPressed{pair});
-        shown_at(t + 1);
-        at(t + 4, SpacePressed{});
-        shown_at(t + 4.01);
-        at(t + 6.01, Tick{t + 6.01});
-        shown_at(t + 6.02);
-        at(t + 10.02, SpacePressed{});
-        shown_at(t + 11);
-        at(t + 12.5, Answered{first});
-        shown_at(t + 13);
-    }
-
-    static Form filled_form() {
-        return {.age_years = 30,
-                .gender = "female",
-                .normal_vision = true,
-                .naive = std::nullopt,
-                .consent = true};
-    }
-
-    template <typename T>
-    [[nodiscard]] std::vector<T> rows_of() const {
-        std::vector<T> found;
-        for (const Row& row : rows) {
-            if (const T* match = std::get_if<T>(&row)) found.push_back(*match);
-        }
-        return found;
-    }
-
-    Procedure procedure;
-    std::vector<Row> rows;
-};
 
 TEST(Procedure, GoesThroughTheThesisScreensAndGivesOneRowForEachAnswer) {
     const stimuli::Study study = small_study(2);
@@ -340,95 +278,6 @@ TEST(Procedure, AnswersThatAreNotOfThePlanCannotBeContinued) {
     trials[0].condition = "C2";
     trials[0].trial_index = 1;
     EXPECT_THROW((void)after.procedure.resume(trials, 1.0, {0.0, "u"}), base::Error);
-}
-
-Event random_event(base::Random& random, int pairs, double time_s) {
-    switch (random.below(13)) {
-        case 0:
-            return StartPressed{};
-        case 1: {
-            Form form = Script::filled_form();
-            form.consent = random.below(2) == 0;
-            form.age_years = static_cast<int>(random.below(140)) - 10;
-            return FormSubmitted{form};
-        }
-        case 2:
-            return InstructionsRead{};
-        case 3:
-        case 4:
-            return PairPressed{static_cast<int>(random.below(pairs + 2)) - 1};
-        case 5:
-            return SpacePressed{};
-        case 6:
-            return Answered{random.below(2) == 0};
-        case 7:
-            return NextParticipant{};
-        case 8:
-            return Tick{time_s + random.uniform(-1.0, 1.0)};
-        case 9:
-            return random.below(20) == 0 ? Event(LeaveRequested{}) : Event(SpacePressed{});
-        case 10:
-            return random.below(20) == 0 ? Event(LeaveConfirmed{}) : Event(LeaveCancelled{});
-        default:
-            return ScreenPresented{static_cast<int>(random.below(3))};
-    }
-}
-
-void expect_sound(const TrialRecord& row, int index, const stimuli::Study& study) {
-    EXPECT_EQ(row.trial_index, index);
-    EXPECT_GE(row.first_view_ms, 0.0);
-    EXPECT_GE(row.second_view_ms, 0.0);
-    EXPECT_GE(row.response_time_s, 0.0);
-    EXPECT_GE(row.dropped_frames, 0);
-    EXPECT_GE(row.first_onset_s, 0.0);
-    EXPECT_GT(row.second_onset_s, row.first_onset_s);
-    EXPECT_GE(row.question_onset_s, row.second_onset_s);
-    EXPECT_GE(row.grey_ms_measured, study.grey_ms - 1000.0);  // a tick may expect 1 s ahead
-}
-
-TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWayBack) {
-    const stimuli::Study study = small_study(4);
-    std::set<Screen> seen;
-    int completed = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        base::Random random(seed);
-        Script script(study, seed % 2 == 1);
-        double time_s = 0.0;
-        std::set<std::pair<int, int>> images_left;  // pair and position no longer to be seen
-        Screen last = Screen::kStart;
-        int last_pair = 0;
-        for (int i = 0; i < 1500; ++i) {
-            time_s += random.uniform(0.0, 0.5);
-            const double stamped = random.below(10) == 0 ? time_s - 1.0 : time_s;
-            script.at(stamped, random_event(random, 4, stamped));
-            const Screen now = script.procedure.screen();
-            seen.insert(now);
-            const int pair = script.procedure.pair();
-            EXPECT_GE(pair, last_pair);
-            if (last == Screen::kFirstImage && now == Screen::kGrey) images_left.insert({pair, 0});
-            if (last == Screen::kSecondImage && now == Screen::kQuestion) {
-                images_left.insert({pair, 1});
-            }
-            if (now == Screen::kFirstImage) {
-                EXPECT_FALSE(images_left.contains({pair, 0}));
-            }
-            if (now == Screen::kSecondImage) {
-                EXPECT_FALSE(images_left.contains({pair, 1}));
-            }
-            last = now;
-            last_pair = pair;
-        }
-        const auto trials = script.rows_of<TrialRecord>();
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            expect_sound(trials[i], static_cast<int>(i), study);
-        }
-        EXPECT_LE(script.rows_of<BeginSession>().size(), 1U);
-        const std::size_t ends = script.rows_of<CompleteSession>().size();
-        EXPECT_EQ(ends, trials.size() == 4 ? 1U : 0U);
-        completed += static_cast<int>(ends);
-    }
-    EXPECT_GT(completed, 5);
-    EXPECT_EQ(seen.size(), 12U) << "every screen is reached";
 }
 
 }  // namespace

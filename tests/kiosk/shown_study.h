@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
@@ -15,6 +14,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/study.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::app::kiosk {
 
@@ -26,26 +26,18 @@ class ShownStudy {
     static constexpr int kHeight = 200;
 
     ShownStudy(int conditions, int grey_ms) {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        data = std::filesystem::path(testing::TempDir()) /
-               fmt::format("obscura-kiosk-{}-{}", test->test_suite_name(), test->name());
-        std::filesystem::remove_all(data);
-        std::filesystem::create_directories(data);
         file = data / "study.toml";
         base::write_file_atomically(file, text_of(conditions, grey_ms));
         study = stimuli::load_study(file.string());
         folder = stimuli::stimuli_folder(data, study);
         make_images();
     }
-    ~ShownStudy() { std::filesystem::remove_all(data); }
-    ShownStudy(const ShownStudy&) = delete;
-    ShownStudy& operator=(const ShownStudy&) = delete;
-
     [[nodiscard]] std::string store_url() const {
         return "sqlite3://" + (data / "responses.sqlite").string();
     }
 
-    std::filesystem::path data;
+    test::TemporaryFolder temporary;
+    std::filesystem::path data = temporary.path();
     std::filesystem::path file;
     std::filesystem::path folder;  ///< of the images
     stimuli::Study study;
