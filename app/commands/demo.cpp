@@ -12,6 +12,7 @@
 #include "app/commands/list.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"
+#include "app/kiosk/store_lock.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/base/progress.h"
@@ -34,7 +35,8 @@ struct Options {
 
 /// A demo is made anew each time; a store that holds anybody's real answers is not replaced.
 void refuse_real_answers(const fs::path& file) {
-    if (!fs::exists(file)) return;
+    // An empty file, of a program that ended before it made its tables, holds nobody's answers.
+    if (!fs::exists(file) || fs::file_size(file) == 0) return;
     Store store(url_of(file), Store::Access::kReadOnly);
     const auto sessions = store.sessions();
     const bool simulated = std::all_of(sessions.begin(), sessions.end(), [](const auto& session) {
@@ -48,8 +50,9 @@ void refuse_real_answers(const fs::path& file) {
     }
 }
 
-void remove_store(const fs::path& file) {
-    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(file.string() + ending);
+/// What SQLite keeps beside a store while it is open; it must not outlive its store.
+void remove_log(const fs::path& file) {
+    for (const char* ending : {"-wal", "-shm"}) fs::remove(file.string() + ending);
 }
 
 [[nodiscard]] kiosk::SessionPlan plan_of(const stimuli::Study& study,
@@ -94,11 +97,14 @@ void simulate(const stimuli::Study& study, const fs::path& images, const fs::pat
 /// Beside and renamed: an interrupted demo leaves the store of the last one.
 void make_store(const stimuli::Study& study, const fs::path& images, const fs::path& file,
                 int participants, bool quiet) {
+    // Nobody's answers may come in between the question and the replacement.
+    const kiosk::StoreLock lock(url_of(file));
     refuse_real_answers(file);
     const fs::path beside = file.string() + ".new";
-    remove_store(beside);
+    fs::remove(beside);
+    remove_log(beside);
     simulate(study, images, beside, participants, quiet);
-    remove_store(file);
+    remove_log(file);
     fs::rename(beside, file);
 }
 

@@ -5,12 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
+#include <optional>
 
 #include "analysis/store/store.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/session_runner.h"
+#include "app/kiosk/store_lock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/manifest.h"
@@ -39,8 +42,11 @@ class Kiosk {
     }
 
     void run() {
-        for (const analysis::SessionRecord& session :
-             store_.open_sessions(study_.name, Kind::kParticipant)) {
+        const auto cut_off = with_store("find the sessions that were cut off", [&] {
+            return store_.open_sessions(study_.name, Kind::kParticipant);
+        });
+        if (!cut_off) return;
+        for (const analysis::SessionRecord& session : *cut_off) {
             if (settle(session) == End::kLeft) return;
         }
         while (run_new_session() == End::kDone) {
@@ -48,37 +54,70 @@ class Kiosk {
     }
 
   private:
+    /// What `work` gives; nothing: the store failed and the operator left. A full-screen kiosk
+    /// stays on the screen whatever the store does between sessions.
+    template <typename Work>
+    [[nodiscard]] auto with_store(const char* purpose, const Work& work)
+        -> std::optional<decltype(work())> {
+        while (true) {
+            try {
+                return work();
+            } catch (const std::exception& error) {
+                spdlog::error("cannot {}: {}", purpose, error.what());
+                const Trouble trouble{
+                    "The store of the answers does not respond", error.what(),
+                    fmt::format("It is needed to {}. Every answer so far is saved. Mend the store, "
+                                "then try again.",
+                                purpose)};
+                if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
+                    return std::nullopt;
+                }
+            }
+        }
+    }
+
     End run_new_session() {
-        Procedure procedure(study_, new_plan());
+        const auto taken = with_store("find the next order of the pairs", [&] {
+            return store_.taken_slots(study_.name, study_.seed, Kind::kParticipant);
+        });
+        if (!taken) return End::kLeft;
+        Procedure procedure(study_, new_plan(*taken));
         return play(procedure, {});
     }
 
-    [[nodiscard]] SessionPlan new_plan() {
+    [[nodiscard]] SessionPlan new_plan(const std::vector<std::uint64_t>& taken) const {
         SessionPlan plan;
         plan.participant_id = unique_id("p");
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
         plan.machine = machine_;
-        const auto taken = store_.taken_slots(study_.name, study_.seed, Kind::kParticipant);
         plan.order = stimuli::session_order(study_.order, static_cast<int>(plan.images.size()),
                                             study_.seed, stimuli::next_slot(taken));
         return plan;
     }
 
     End play(Procedure& procedure, std::vector<Row> rows) {
-        Journal journal = journal_to(store_);
+        Journal journal = journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
         return SessionRunner(stage_, procedure, journal).run();
     }
 
     /// Asks the operator about a session that was cut off, and does what was chosen.
     End settle(const analysis::SessionRecord& session) {
-        const auto trials = store_.trials_of(session.session_id);
+        struct SoFar {
+            std::vector<analysis::TrialRecord> trials;
+            std::vector<analysis::EventRecord> events;
+        };
+        const auto so_far = with_store("read a session that was cut off", [&] {
+            return SoFar{store_.trials_of(session.session_id), store_.events()};
+        });
+        if (!so_far) return End::kLeft;
+        const auto& trials = so_far->trials;
         CutOffSession shown{session.session_id, session.started_utc,
                             static_cast<int>(trials.size()), session.condition_count, ""};
         SessionPlan plan;
         try {
-            plan = plan_to_resume(study_, manifest_, session, trials, store_.events());
+            plan = plan_to_resume(study_, manifest_, session, trials, so_far->events);
         } catch (const base::Error& error) {
             shown.refusal = error.what();
             spdlog::warn("session {} cannot be continued: {}", session.session_id, error.what());
@@ -86,10 +125,21 @@ class Kiosk {
         const std::optional<CutOffChoice> choice = ask_about_cut_off(stage_, shown);
         if (!choice) return End::kLeft;
         if (*choice == CutOffChoice::kAbandon) {
-            store_.abandon_session(session.session_id, utc_now(), "closed by the operator");
-            return End::kDone;
+            const auto closed = with_store("close a session that was cut off",
+                                           [&] { return close(session.session_id); });
+            return closed ? End::kDone : End::kLeft;
         }
         return resume(session, trials, std::move(plan));
+    }
+
+    /// True; also where an earlier try has closed it already.
+    bool close(const std::string& session_id) {
+        const auto open = store_.open_sessions(study_.name, Kind::kParticipant);
+        const bool is_open = std::any_of(open.begin(), open.end(), [&](const auto& session) {
+            return session.session_id == session_id;
+        });
+        if (is_open) store_.abandon_session(session_id, utc_now(), "closed by the operator");
+        return true;
     }
 
     End resume(const analysis::SessionRecord& session,
@@ -118,6 +168,10 @@ class Kiosk {
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_incomplete_stimuli(study, options.folder);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
+    // Opened once to refuse what is no store before a lock is made beside it, and again under the
+    // lock: `obscura demo` may have replaced the file in between.
+    (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
+    const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
     Window window({options.monitor, options.windowed, {study.width, study.height}});
     std::vector<std::string> texts = fixed_texts();

@@ -19,8 +19,8 @@ struct KioskOptions {
 /// Runs participants through the study until the operator leaves.
 /// Before a window opens for anyone, throws bad input when an image is missing or is not that of
 /// the manifest, when the monitor is smaller than the images, or when the store cannot be used;
-/// failure when there is no display. Sessions that were cut off come first: the operator continues
-/// or closes each.
+/// failure when there is no display or another kiosk is running on an SQLite store. Sessions that
+/// were cut off come first: the operator continues or closes each.
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options);
 
 }  // namespace obscura::app::kiosk

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -34,6 +35,11 @@ FormProblems problems_of(const Form& form) {
 
 Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)
     : study_(&study), plan_(std::move(plan)), latest_s_(-std::numeric_limits<double>::infinity()) {}
+
+void Procedure::change_order(stimuli::SessionOrder order) {
+    assert(pair_ == 0 && order.conditions.size() == plan_.order.conditions.size());
+    plan_.order = std::move(order);
+}
 
 const StimulusImage& Procedure::image(int pair, int position) const {
     const auto condition = static_cast<std::size_t>(plan_.order.conditions.at(pair));

@@ -119,6 +119,9 @@ class Procedure {
     [[nodiscard]] std::vector<Row> resume(const std::vector<analysis::TrialRecord>& answered,
                                           double elapsed_s, const Moment& now);
 
+    /// Takes another order of the same conditions, for a session of which no pair was shown yet.
+    void change_order(stimuli::SessionOrder order);
+
     [[nodiscard]] Screen screen() const { return screen_; }
     /// Grows by one whenever screen() is to be shown (again): ScreenPresented is due.
     [[nodiscard]] int request() const { return request_; }

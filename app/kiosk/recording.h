@@ -14,4 +14,10 @@ void commit(analysis::Store& store, const Row& row);
 /// A journal that commits to that store, which must outlive it.
 [[nodiscard]] Journal journal_to(analysis::Store& store);
 
+/// The same for the rows of `procedure`, where others may begin sessions in the store meanwhile: a
+/// session whose slot another one has taken since it was planned begins with the next free slot,
+/// and the procedure goes on with the order of that. All must outlive the journal.
+[[nodiscard]] Journal journal_to(analysis::Store& store, const stimuli::Study& study,
+                                 Procedure& procedure);
+
 }  // namespace obscura::app::kiosk

@@ -78,7 +78,9 @@ bool SessionRunner::save() {
             for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
             return false;
         }
-        presented_ = 0;  // the trouble stood over the screen
+        // The trouble stood over the screen, which is asked for only now.
+        presented_ = 0;
+        asked_s_ = monotonic_s();
     }
     return true;
 }

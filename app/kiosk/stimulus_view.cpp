@@ -17,6 +17,14 @@ namespace {
 constexpr int kChannels = 4;
 constexpr float kCodeValues = 255.0F;
 
+void require_no_error(Extent extent) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    throw base::failure("the GPU cannot hold an image of {}x{}: OpenGL error 0x{:04X}{}",
+                        extent.width, extent.height, error,
+                        error == GL_OUT_OF_MEMORY ? " (out of memory)" : "");
+}
+
 }  // namespace
 
 StimulusPixels load_stimulus(const std::filesystem::path& folder, const StimulusImage& image,
@@ -46,30 +54,29 @@ StimulusPixels load_stimulus(const std::filesystem::path& folder, const Stimulus
     return pixels;
 }
 
-StimulusTexture::StimulusTexture(const StimulusPixels& pixels) : extent_(pixels.extent) {
-    glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
-    glTextureStorage2D(texture_, 1, GL_RGBA8, extent_.width, extent_.height);
+StimulusTexture::StimulusTexture(const StimulusPixels& pixels)
+    : extent_(pixels.extent),
+      texture_(renderer::gl::Texture::make(GL_TEXTURE_2D)),
+      framebuffer_(renderer::gl::Framebuffer::make()) {
+    const GLuint texture = texture_.name();
+    glTextureStorage2D(texture, 1, GL_RGBA8, extent_.width, extent_.height);
+    require_no_error(extent_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glTextureSubImage2D(texture_, 0, 0, 0, extent_.width, extent_.height, GL_RGBA, GL_UNSIGNED_BYTE,
+    glTextureSubImage2D(texture, 0, 0, 0, extent_.width, extent_.height, GL_RGBA, GL_UNSIGNED_BYTE,
                         pixels.rgba.data());
-    glCreateFramebuffers(1, &framebuffer_);
-    glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+    glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, texture, 0);
     glFinish();
-}
-
-StimulusTexture::~StimulusTexture() {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteTextures(1, &texture_);
+    require_no_error(extent_);
 }
 
 void StimulusTexture::draw(Extent frame, int grey_level) const {
     draw_grey(frame, grey_level);
     const int left = (frame.width - extent_.width) / 2;
     const int bottom = (frame.height - extent_.height) / 2;
-    glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, extent_.width, extent_.height, left, bottom,
-                           left + extent_.width, bottom + extent_.height, GL_COLOR_BUFFER_BIT,
-                           GL_NEAREST);
+    glBlitNamedFramebuffer(framebuffer_.name(), 0, 0, 0, extent_.width, extent_.height, left,
+                           bottom, left + extent_.width, bottom + extent_.height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void draw_grey(Extent frame, int grey_level) {

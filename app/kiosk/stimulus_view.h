@@ -8,6 +8,7 @@
 
 #include "app/kiosk/session_plan.h"
 #include "app/kiosk/window.h"
+#include "renderer/gl/handles.h"
 
 namespace obscura::app::kiosk {
 
@@ -26,18 +27,16 @@ struct StimulusPixels {
 /// An image on the GPU, ready to be shown at once. Needs a current context.
 class StimulusTexture {
   public:
+    /// Throws failure with the size and OpenGL's reason when the GPU cannot hold it.
     explicit StimulusTexture(const StimulusPixels& pixels);
-    ~StimulusTexture();
-    StimulusTexture(const StimulusTexture&) = delete;
-    StimulusTexture& operator=(const StimulusTexture&) = delete;
 
     /// Copies it into the middle of the window's frame, pixel for pixel; all around is grey.
     void draw(Extent frame, int grey_level) const;
 
   private:
     Extent extent_;
-    unsigned texture_ = 0;
-    unsigned framebuffer_ = 0;
+    renderer::gl::Texture texture_;
+    renderer::gl::Framebuffer framebuffer_;
 };
 
 /// Fills the frame with that sRGB code value.

@@ -3,14 +3,17 @@
 #include "app/kiosk/journal.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include <filesystem>
 
 #include "analysis/store/store.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/recording.h"
+#include "app/kiosk/store_lock.h"
 #include "renderer/base/error.h"
 #include "tests/kiosk/small_study.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -58,20 +61,11 @@ TEST(Journal, SaysAllOfAnAnswerThatCouldNotBeSaved) {
 class Recording : public testing::Test {
   protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(testing::TempDir()) /
-                  (std::string("obscura-recording-") + test->name());
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
         store_.emplace("sqlite3://" + (folder_ / "responses.sqlite").string(),
                        analysis::Store::Access::kReadWrite);
         study_ = small_study(2);
         procedure_.emplace(study_, small_plan(study_));
         journal_.emplace(journal_to(*store_));
-    }
-    void TearDown() override {
-        store_.reset();
-        std::filesystem::remove_all(folder_);
     }
 
     void step(double time_s, const Event& event) {
@@ -106,7 +100,7 @@ class Recording : public testing::Test {
         step(t + 9, ScreenPresented{});
     }
 
-    std::filesystem::path folder_;
+    test::TemporaryFolder folder_;
     std::optional<analysis::Store> store_;
     stimuli::Study study_;
     std::optional<Procedure> procedure_;
@@ -134,6 +128,85 @@ TEST_F(Recording, ARowThatAnEarlierTryBroughtToTheDiskMayBeTriedAgain) {
     auto other = std::get<analysis::TrialRecord>(answer_rows_.at(0));
     other.answered_utc = utc_text(1000);
     EXPECT_THROW(commit(*store_, other), base::Error);
+}
+
+TEST_F(Recording, WhereTheStoreCannotBeReadEitherTheFirstReasonIsGiven) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((folder_ / "responses.sqlite").c_str(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database,
+                           "CREATE TRIGGER no_room BEFORE INSERT ON participants "
+                           "BEGIN SELECT RAISE(ABORT, 'there is no room'); END;"
+                           "ALTER TABLE sessions RENAME COLUMN software TO hardware",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK)
+        << sqlite3_errmsg(database);
+    sqlite3_close(database);
+    EXPECT_THROW((void)store_->sessions(), base::Error);
+    BeginSession row;
+    row.participant.participant_id = row.session.participant_id = "p-9";
+    row.participant.age_years = 30;
+    row.participant.consent = true;
+    row.participant.created_utc = row.session.started_utc = utc_text(1);
+    row.session.session_id = "s-9";
+    row.session.study = "small";
+    row.session.study_sha256 = std::string(64, '5');
+    row.session.order = "latin-square";
+    row.session.condition_count = 2;
+    try {
+        commit(*store_, row);
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const base::Error& error) {
+        EXPECT_NE(std::string_view(error.what()).find("there is no room"), std::string_view::npos)
+            << error.what();
+    }
+}
+
+TEST_F(Recording, ASlotTakenMeanwhileGivesWayToTheNextFreeOneAndItsOrder) {
+    const auto plan_of = [&](const std::string& number, std::uint64_t slot) {
+        SessionPlan plan = small_plan(study_);
+        plan.participant_id = "p-" + number;
+        plan.session_id = "s-" + number;
+        plan.order = stimuli::session_order(study_.order, 2, study_.seed, slot);
+        return plan;
+    };
+    const auto start = [&](const SessionPlan& plan) {
+        procedure_.emplace(study_, plan);
+        journal_.emplace(journal_to(*store_, study_, *procedure_));
+        begin();
+    };
+    start(plan_of("1", 0));
+    start(plan_of("2", 0));  // planned before the first one began
+    const auto order = stimuli::session_order(study_.order, 2, study_.seed, 1);
+    EXPECT_EQ(procedure_->plan().order.conditions, order.conditions);
+    answer(10);
+    const auto sessions = store_->sessions();
+    ASSERT_EQ(sessions.size(), 2U);
+    EXPECT_EQ(sessions[1].slot, 1U);
+    EXPECT_EQ(sessions[1].latin_row, order.latin_row);
+    EXPECT_EQ(sessions[1].swapped, order.swapped);
+    const auto first = static_cast<std::size_t>(order.conditions[0]);
+    EXPECT_EQ(store_->trials_of("s-2").at(0).condition, study_.conditions[first].id);
+}
+
+TEST_F(Recording, AStoreIsOneKiosksUntilThatEnds) {
+    const std::string url = "sqlite3://" + (folder_ / "responses.sqlite").string();
+    {
+        const StoreLock lock(url);
+        std::filesystem::create_symlink(folder_ / "responses.sqlite", folder_ / "link.sqlite");
+        for (const std::string& same : {url, "sqlite3://" + (folder_ / "link.sqlite").string()}) {
+            try {
+                const StoreLock second(same);
+                ADD_FAILURE() << same;
+            } catch (const base::Error& error) {
+                EXPECT_EQ(error.code(), base::ExitCode::kFailed);
+                EXPECT_NE(std::string_view(error.what()).find("another kiosk"),
+                          std::string_view::npos);
+            }
+        }
+        EXPECT_NO_THROW(StoreLock("sqlite3://" + (folder_ / "other.sqlite").string()));
+        EXPECT_NO_THROW(StoreLock("postgresql://nowhere/answers"));
+    }
+    EXPECT_NO_THROW(StoreLock{url});
 }
 
 TEST_F(Recording, AnOpenSessionIsPlannedAgainAsItBegan) {

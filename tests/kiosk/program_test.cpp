@@ -288,6 +288,14 @@ TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
     visitor.leave();  // in the middle of a session
     ASSERT_EQ(visitor.store().open_sessions("noise", Kind::kParticipant).size(), 1U);
     visitor.start_program();
+    const std::filesystem::path log = shown.data / "second.txt";
+    ChildProcess second(
+        {OBSCURA_PROGRAM, "--data", shown.data.string(), "run", shown.file.string()}, -1,
+        log.string());
+    int code = -1;
+    EXPECT_TRUE(second.wait(kPatience_s, code));
+    EXPECT_EQ(code, 1) << "it would ask about this one's session";
+    EXPECT_THAT(base::read_file(log), HasSubstr("another kiosk is running"));
     visitor.press("a");
     pause(1.0);
     visitor.leave();

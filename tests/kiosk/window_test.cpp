@@ -94,6 +94,15 @@ TEST(KioskWindow, AnImageThatIsNotTheManifestsIsNotShown) {
     EXPECT_THAT(missing, HasSubstr("missing.png"));
 }
 
+TEST(KioskWindow, AnImageThatTheGpuCannotHoldIsAFailureThatNamesItsSize) {
+    const VirtualDisplay display(640, 480);
+    const Window window({0, false, {64, 64}});
+    const std::string message = message_of(base::ExitCode::kFailed, [] {
+        const StimulusTexture texture({{1 << 20, 1 << 20}, {}});
+    });
+    EXPECT_THAT(message, HasSubstr("1048576x1048576"));
+}
+
 TEST(KioskWindow, AMonitorSmallerThanTheImagesIsRefusedNamingBothSizes) {
     const VirtualDisplay display(640, 480);
     for (const bool windowed : {false, true}) {
