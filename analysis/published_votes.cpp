@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/published_votes.h"
 
-#include <string_view>
-
 #include "analysis/counts_file.h"
+#include "analysis/embedded.h"
 
 namespace obscura::analysis {
-
-/// Made by obscura_embed.
-std::string_view embedded(std::string_view name);
 
 Tally published_votes() { return parse_counts(embedded("data/jakobsen2010.csv"), "jakobsen2010"); }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/counts_file.h"
+#include "analysis/export/contents.h"
 #include "analysis/report/analysis.h"
 #include "analysis/store/store.h"
 #include "analysis/tally.h"
@@ -26,7 +27,8 @@ struct Options {
 analysis::Tally tally_of_store(const std::string& url, const Options& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     const auto kind = analysis::kind_from(options.kind);
-    return analysis::tally_trials(url, store.sessions(), store.trials(), options.study, *kind);
+    const analysis::StoreContents contents = analysis::read_contents(store);
+    return analysis::tally_trials(url, contents.sessions, contents.trials, options.study, *kind);
 }
 
 base::ExitCode analyze(const Options& options, const Globals& globals) {

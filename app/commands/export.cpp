@@ -19,6 +19,10 @@ struct Options {
     bool force = false;
 };
 
+[[nodiscard]] std::string counted(std::size_t count, const char* thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 base::ExitCode export_answers(const Options& options, const Globals& globals) {
     const std::string url = options.db.empty() ? globals.store_url() : options.db;
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
@@ -28,9 +32,10 @@ base::ExitCode export_answers(const Options& options, const Globals& globals) {
     const auto simulated = std::count_if(
         contents.sessions.begin(), contents.sessions.end(),
         [](const auto& session) { return session.kind == analysis::Kind::kSimulated; });
-    spdlog::info("{} participants, {} sessions ({} of them simulated), {} trials are in {}",
-                 contents.participants.size(), contents.sessions.size(), simulated,
-                 contents.trials.size(), options.out.string());
+    spdlog::info("in {}: {}, {} ({} simulated), {}", options.out.string(),
+                 counted(contents.participants.size(), "participant"),
+                 counted(contents.sessions.size(), "session"), simulated,
+                 counted(contents.trials.size(), "trial"));
     return base::ExitCode::kDone;
 }
 
