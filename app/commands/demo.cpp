@@ -134,9 +134,11 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     const std::string report = analyse(study, file, out / "reports");
     fmt::print("{}", report);
     fmt::print(
-        "\nThe {} observers are simulated; nobody has looked at these images.\n"
+        "\n{} simulated; nobody has looked at these images.\n"
         "images    {}\nanswers   {}\ntables    {}\nanalysis  {}\n",
-        options.participants, images.string(), file.string(), (out / "reports" / "export").string(),
+        options.participants == 1 ? "The observer is"
+                                  : fmt::format("The {} observers are", options.participants),
+        images.string(), file.string(), (out / "reports" / "export").string(),
         (out / "reports" / "analysis.txt").string());
     return base::ExitCode::kDone;
 }

@@ -39,8 +39,8 @@ StoreLock::StoreLock(const std::string& store_url) {
     ::close(descriptor_);
     if (reason == EWOULDBLOCK) {
         throw base::failure(
-            "another kiosk is running on the store {}; leave it first, or give this one another "
-            "store with --db",
+            "another kiosk is running on the store {}; leave that one first, or choose another "
+            "store",
             store);
     }
     throw base::failure("cannot lock {}, which keeps the store to one kiosk: {}", path.string(),

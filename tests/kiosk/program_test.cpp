@@ -279,6 +279,16 @@ TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
               3);
 }
 
+/// Runs SQL in the store beside the program.
+void execute(const ShownStudy& shown, const char* sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((shown.data / "responses.sqlite").c_str(), &database), SQLITE_OK);
+    sqlite3_busy_timeout(database, 5000);
+    EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(database);
+    sqlite3_close(database);
+}
+
 TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
     const ShownStudy shown(2, 100);
     Visitor visitor(shown);
@@ -296,21 +306,19 @@ TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
     EXPECT_TRUE(second.wait(kPatience_s, code));
     EXPECT_EQ(code, 1) << "it would ask about this one's session";
     EXPECT_THAT(base::read_file(log), HasSubstr("another kiosk is running"));
+    execute(shown,
+            "CREATE TRIGGER no_room BEFORE UPDATE ON sessions "
+            "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
     visitor.press("a");
+    pause(1.0);
+    EXPECT_THAT(visitor.said(), AllOf(HasSubstr("cannot close a session"), HasSubstr("no room")));
+    EXPECT_TRUE(visitor.sees_page()) << "a store that fails does not end the program";
+    execute(shown, "DROP TRIGGER no_room");
+    visitor.press("Return");  // tries again
     pause(1.0);
     visitor.leave();
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kAbandoned);
     EXPECT_TRUE(visitor.store().taken_slots("noise", shown.study.seed, Kind::kParticipant).empty());
-}
-
-/// Runs SQL in the store beside the program.
-void execute(const ShownStudy& shown, const char* sql) {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open((shown.data / "responses.sqlite").c_str(), &database), SQLITE_OK);
-    sqlite3_busy_timeout(database, 5000);
-    EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK)
-        << sqlite3_errmsg(database);
-    sqlite3_close(database);
 }
 
 TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
