@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
 
@@ -38,7 +40,11 @@ int run(int argc, char** argv) {
         return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kBadInput);
     }
     obscura::base::set_up_log(globals.quiet);
-    return static_cast<int>(chosen());
+    const ExitCode code = chosen();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw obscura::base::failure("cannot write to standard output: {}", std::strerror(errno));
+    }
+    return static_cast<int>(code);
 }
 
 }  // namespace

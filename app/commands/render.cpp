@@ -33,13 +33,14 @@ void parse_shard(const std::string& text, stimuli::Selection& selection) {
 
 base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
                       const std::filesystem::path& folder, bool quiet) {
-    const auto problems = stimuli::verify(study, options.selection, folder, quiet);
-    for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
-    if (!problems.empty()) {
-        throw base::check_failed("{} of the images in {} do not hold", problems.size(),
-                                 folder.string());
+    const stimuli::Verified verified = stimuli::verify(study, options.selection, folder, quiet);
+    for (const std::string& problem : verified.problems) fmt::print(stderr, "{}\n", problem);
+    if (!verified.problems.empty()) {
+        throw base::check_failed("{} of {} images in {} do not hold", verified.problems.size(),
+                                 verified.checked, folder.string());
     }
-    fmt::print("every image in {} is what this program renders\n", folder.string());
+    fmt::print("{}: {} images checked, each is what this program renders\n", folder.string(),
+               verified.checked);
     return base::ExitCode::kDone;
 }
 
