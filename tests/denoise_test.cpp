@@ -101,7 +101,8 @@ TEST_F(DenoiseTest, SeparableNeverLeaksAcrossADepthEdge) {
             ++pixels;
         }
     }
-    EXPECT_LT(board / pixels, 0.8) << "the board is not dark: nothing could leak";
+    // A leak of even a tenth of the weights would then show on the wall.
+    EXPECT_LT(board / pixels, 0.9) << "the board is not dark: nothing could leak";
 }
 
 TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {
