@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
@@ -51,6 +52,15 @@ std::vector<Stimulus> select(const Study& study, const Selection& selection) {
             wanted.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
+/// manifest.json, or the list of a part, manifest-K-of-N.json; nothing else that may lie there.
+bool is_part_manifest(const std::string& name) {
+    static const std::regex pattern("manifest-[0-9]+-of-[0-9]+\\.json");
+    return std::regex_match(name, pattern);
+}
+bool is_manifest(const std::string& name) {
+    return name == "manifest.json" || is_part_manifest(name);
+}
+
 /// A finished image, and whether this program would make it from the same inputs today.
 struct Finished {
     ManifestImage image;
@@ -69,7 +79,7 @@ FinishedImages finished_images(const Study& study, const StimulusRenderer& rende
     FinishedImages finished;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        if (!name.starts_with("manifest") || !name.ends_with(".json")) continue;
+        if (!is_manifest(name)) continue;
         Manifest manifest;
         try {
             manifest = load_manifest(entry.path());
@@ -80,14 +90,34 @@ FinishedImages finished_images(const Study& study, const StimulusRenderer& rende
         for (const ManifestImage& image : manifest.images) {
             const fs::path file = folder / image.file;
             if (!inputs.contains(image.file) || !fs::is_regular_file(file)) continue;
-            const bool current = image.inputs_sha256 == inputs.at(image.file);
-            if (!current && !(same_gpu && shows_what_is_asked(study, image))) continue;
+            if (!shows_what_is_asked(study, image)) continue;
+            const bool current = same_gpu && image.inputs_sha256 == inputs.at(image.file);
+            if (!current && !same_gpu) continue;
             if (base::sha256_hex(base::read_file(file)) != image.sha256) continue;
             Finished& known = finished[image.file];
             if (!known.current) known = {image, current};
         }
     }
     return finished;
+}
+
+/// Throws bad input where the folder holds the images of a study of another name: their list would
+/// be lost.
+void refuse_another_study(const Study& study, const fs::path& folder) {
+    const fs::path file = folder / "manifest.json";
+    if (!fs::exists(file)) return;
+    std::string other;
+    try {
+        other = load_manifest(file).study;
+    } catch (const base::Error&) {
+        return;  // a damaged list is made again
+    }
+    if (other != study.name) {
+        throw base::bad_input(
+            "--out: {} holds the images of the study {}, not of {}; name another "
+            "folder",
+            folder.string(), other, study.name);
+    }
 }
 
 /// The finished images in the study's order.
@@ -110,7 +140,7 @@ void remove_part_manifests(const fs::path& folder) {
     std::vector<fs::path> parts;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        if (name.starts_with("manifest-") && name.ends_with(".json")) parts.push_back(entry.path());
+        if (is_part_manifest(name)) parts.push_back(entry.path());
     }
     std::error_code ignored;
     for (const fs::path& part : parts) fs::remove(part, ignored);
@@ -155,6 +185,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
                    bool quiet, const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     base::require_writable_folder(folder, "--out");
+    refuse_another_study(study, folder);
     const renderer::HeadlessContext context;
     StimulusRenderer renderer(study, catalogue);
     FinishedImages finished = finished_images(study, renderer, folder);
@@ -186,7 +217,8 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     generated.complete = std::all_of(all.begin(), all.end(), [&](const Stimulus& stimulus) {
         return is_current(finished, stimulus.file());
     });
-    if (generated.complete || selection.shards == 1) {
+    const bool up_to_date = generated.made == 0 && problems_of_stimuli(study, folder).empty();
+    if (!up_to_date && (generated.complete || selection.shards == 1)) {
         save_manifest(folder / "manifest.json", manifest_of(study, finished));
     }
     if (generated.complete) remove_part_manifests(folder);
@@ -201,6 +233,11 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
     StimulusRenderer renderer(study, catalogue);
     Verified verified;
     std::vector<std::string>& problems = verified.problems;
+    if (manifest.study != study.name || manifest.seed != study.seed) {
+        problems.push_back(fmt::format("{}: it is of the study {} with seed {}, not of {} with {}",
+                                       (folder / "manifest.json").string(), manifest.study,
+                                       manifest.seed, study.name, study.seed));
+    }
     base::Progress progress("verify", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         const fs::path file = folder / stimulus.file();
@@ -214,7 +251,10 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
             const std::string stored = base::sha256_hex(base::read_file(file));
             const std::string made =
                 base::sha256_hex(encode_png(image_of(renderer.render(stimulus))));
-            if (stored != entry->sha256) {
+            if (!shows_what_is_asked(study, *entry)) {
+                problems.push_back(fmt::format(
+                    "{}: the manifest's entry is not of what the study asks for", file.string()));
+            } else if (stored != entry->sha256) {
                 problems.push_back(
                     fmt::format("{}: its SHA-256 is {}, the manifest has {}: the file was changed",
                                 file.string(), stored, entry->sha256));

@@ -185,6 +185,31 @@ TEST_F(Generate, MakingOnePairAnewKeepsTheOtherSoundImagesListed) {
     EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
 }
 
+TEST_F(Generate, FilesOfTheUsersOwnStay) {
+    make();
+    fs::copy_file(folder_ / "manifest.json", folder_ / "manifest-of-session-1.json");
+    make();
+    EXPECT_TRUE(fs::exists(folder_ / "manifest-of-session-1.json"));
+}
+
+TEST_F(Generate, AnEntryThatSaysSomethingElseIsFoundAndMadeAnew) {
+    make();
+    Manifest manifest = load_manifest(folder_ / "manifest.json");
+    manifest.images[1].samples = 99;
+    save_manifest(folder_ / "manifest.json", manifest);
+    EXPECT_EQ(check().size(), 1U);
+    EXPECT_EQ(make().made, 1);
+    EXPECT_THAT(check(), testing::IsEmpty());
+    EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
+}
+
+TEST_F(Generate, AFolderOfAnotherStudyIsRefusedAndLeftAlone) {
+    make();
+    study_.name = "others";
+    EXPECT_THROW(make(), base::Error);
+    EXPECT_EQ(load_manifest(folder_ / "manifest.json").study, "blocks");
+}
+
 TEST_F(Generate, UnknownPairsAndPartsAreRefusedBeforeAnythingIsWritten) {
     EXPECT_THROW(make({"VIII", 1, 1}), base::Error);
     EXPECT_THROW(make({"", 0, 2}), base::Error);

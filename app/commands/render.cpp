@@ -6,6 +6,9 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "renderer/base/log.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/technique/technique.h"
 #include "stimuli/generate.h"
 
 namespace obscura::app {
@@ -39,8 +42,8 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
         throw base::check_failed("{} of {} images in {} do not hold", verified.problems.size(),
                                  verified.checked, folder.string());
     }
-    fmt::print("{}: {} images checked, each is what this program renders\n", folder.string(),
-               verified.checked);
+    spdlog::info("{}: {} images checked, each is what this program renders", folder.string(),
+                 verified.checked);
     return base::ExitCode::kDone;
 }
 
@@ -57,9 +60,39 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     if (options.verify) return verify(study, options, folder, globals.quiet);
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
-    fmt::print("{}: {} images made, {} kept; {}\n", folder.string(), generated.made, generated.kept,
-               generated.complete ? "the study is complete" : "the study is not complete yet");
+    spdlog::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
+                 generated.kept,
+                 generated.complete ? "the study is complete" : "the study is not complete yet");
     return base::ExitCode::kDone;
+}
+
+/// The techniques and filters a study file may name, from their descriptors.
+std::string variants_help() {
+    std::string text =
+        "A variant in a study file: { technique = NAME, samples = N, PARAMETER = "
+        "NUMBER, denoise = FILTER }\n";
+    for (const renderer::Technique& technique : renderer::techniques()) {
+        text += fmt::format("  {} ({})\n", technique.name, technique.citation);
+        if (technique.samples.high > 0) {
+            text +=
+                fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
+                            technique.samples.high, technique.samples.standard,
+                            technique.samples.multiple_of > 1
+                                ? fmt::format(", multiples of {}", technique.samples.multiple_of)
+                                : "");
+        }
+        for (const renderer::Parameter& parameter : technique.parameters) {
+            text +=
+                fmt::format("    {}: {}; {} to {}{}{}, default {}\n", parameter.name,
+                            parameter.meaning, parameter.low, parameter.high,
+                            parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
+        }
+    }
+    text += "Filters:\n";
+    for (const renderer::Denoise& denoise : renderer::denoise_filters()) {
+        text += fmt::format("  {} ({})\n", denoise.name, denoise.citation);
+    }
+    return text;
 }
 
 }  // namespace
@@ -83,6 +116,7 @@ Command render_command() {
                          "Render in memory, write nothing, and print each image's passes (ms), "
                          "buffers (bytes) and what was left out")
                 ->excludes(verify_flag);
+            app.footer(variants_help());
             return [options, &globals] { return render(*options, globals); };
         }};
 }
