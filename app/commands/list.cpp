@@ -12,6 +12,7 @@ const std::vector<Command>& commands() {
         plan_command(),
         export_command(),
         analyze_command(),
+        power_command(),
         check_command(),
     };
     return list;
