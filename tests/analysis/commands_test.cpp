@@ -123,6 +123,27 @@ TEST_F(CommandsTest, ExportWritesFilesAndRefusesUnknownFormats) {
     EXPECT_EQ(run(export_command(), {"--out", to, "--force"}).code, ExitCode::kDone);
 }
 
+TEST_F(CommandsTest, AnalyzeOfExportedTrialsGivesTheStoresStatistics) {
+    add_session(analysis::Kind::kParticipant);
+    add_session(analysis::Kind::kParticipant);
+    add_session(analysis::Kind::kSimulated);
+    const std::string to = (folder / "export").string();
+    ASSERT_EQ(run(export_command(), {"--out", to}).code, ExitCode::kDone);
+    const auto without_source = [](const Ending& ending) {
+        auto report = nlohmann::json::parse(ending.out);
+        report.erase("source");
+        return report;
+    };
+    for (const char* kind : {"participant", "simulated"}) {
+        EXPECT_EQ(without_source(run(analyze_command(),
+                                     {"--trials", to + "/trials.csv", "--kind", kind, "--json"})),
+                  without_source(run(analyze_command(), {"--kind", kind, "--json"})));
+    }
+    EXPECT_EQ(run(analyze_command(), {"--trials", to + "/sessions.csv"}).code, ExitCode::kBadInput);
+    EXPECT_EQ(run(analyze_command(), {"--trials", to + "/trials.csv", "--counts", kPublished}).code,
+              ExitCode::kBadInput);
+}
+
 TEST_F(CommandsTest, PowerSaysWhatIsNeededAndWhatANumberAchieves) {
     const Ending table =
         run(power_command(), {"--share", ".65", "--participants", "36", "--conditions", "7"});
