@@ -14,6 +14,8 @@ const std::vector<Command>& commands() {
         analyze_command(),
         power_command(),
         check_command(),
+        demo_command(),   run_command(),     render_command(), plan_command(),
+        export_command(), analyze_command(), check_command(),
     };
     return list;
 }

@@ -10,17 +10,12 @@
 namespace obscura::app::kiosk {
 namespace {
 
-struct Describe {
+struct NameOf {
     std::string operator()(const BeginSession& row) const {
         return fmt::format("the beginning of session {}", row.session.session_id);
     }
     std::string operator()(const analysis::TrialRecord& row) const {
-        return fmt::format(
-            "the answer to pair {} of session {}: condition {}, {} shown first, {} chosen, "
-            "response time {:.3f} s, views {:.0f} and {:.0f} ms, grey {:.1f} ms, {}",
-            row.trial_index + 1, row.session_id, row.condition, row.first_shown,
-            row.is_A_selected ? 'A' : 'B', row.response_time_s, row.first_view_ms,
-            row.second_view_ms, row.grey_ms_measured, row.answered_utc);
+        return fmt::format("the answer to pair {}", row.trial_index + 1);
     }
     std::string operator()(const CompleteSession& row) const {
         return fmt::format("the end of session {}", row.session_id);
@@ -48,6 +43,17 @@ std::optional<std::string> Journal::flush() {
     return std::nullopt;
 }
 
-std::string describe(const Row& row) { return std::visit(Describe{}, row); }
+std::string name_of(const Row& row) { return std::visit(NameOf{}, row); }
+
+std::string describe(const Row& row) {
+    const auto* trial = std::get_if<analysis::TrialRecord>(&row);
+    if (trial == nullptr) return name_of(row);
+    return fmt::format(
+        "{} of session {}: condition {}, {} shown first, {} chosen, response time {:.3f} s, views "
+        "{:.0f} and {:.0f} ms, grey {:.1f} ms, {}",
+        name_of(row), trial->session_id, trial->condition, trial->first_shown,
+        trial->is_A_selected ? 'A' : 'B', trial->response_time_s, trial->first_view_ms,
+        trial->second_view_ms, trial->grey_ms_measured, trial->answered_utc);
+}
 
 }  // namespace obscura::app::kiosk

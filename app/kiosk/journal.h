@@ -29,7 +29,10 @@ class Journal {
     std::deque<Row> waiting_;
 };
 
-/// A row in words, with all that an answer says: for the operator and the terminal.
+/// What a row is, without what it says: the answer to pair 2. A participant may read it.
+[[nodiscard]] std::string name_of(const Row& row);
+
+/// A row in words, with all that an answer says: for the terminal.
 [[nodiscard]] std::string describe(const Row& row);
 
 }  // namespace obscura::app::kiosk

@@ -69,10 +69,11 @@ bool SessionRunner::save() {
         spdlog::error("cannot save {}: {}", describe(journal_.waiting().front()), *reason);
         const Trouble trouble{
             "This could not be saved", *reason,
-            fmt::format("It is {}. Everything before it is saved. Make room or mend the store, "
-                        "then try again. Who leaves now gives it up: it is then written to the "
-                        "terminal only, and the session can be continued at that pair.",
-                        describe(journal_.waiting().front()))};
+            fmt::format(
+                "It is {}; everything before it is saved. Make room or mend the store, then "
+                "try again. Leaving gives it up: it is then written to the terminal only, "
+                "and the session can be continued at that pair.",
+                name_of(journal_.waiting().front()))};
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
             return false;

@@ -61,8 +61,10 @@ void draw_next_frame(Stage& stage, const std::function<void()>& page, int& idle_
 }
 
 TroubleChoice ask_about_trouble(Stage& stage, const Trouble& trouble) {
-    const auto choice =
-        ask<TroubleChoice>(stage, [&] { return trouble_screen(stage.ui.fonts(), trouble); });
+    const auto choice = ask<TroubleChoice>(stage, [&]() -> std::optional<TroubleChoice> {
+        if (trouble_screen(stage.ui.fonts(), trouble)) return TroubleChoice::kRetry;
+        return std::nullopt;
+    });
     return choice.value_or(TroubleChoice::kLeave);
 }
 

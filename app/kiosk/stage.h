@@ -33,7 +33,9 @@ void draw_first_frame(Ui& ui, const std::function<void()>& page);
 /// Waits for input and draws the page again; `idle_frames` counts frames without input.
 void draw_next_frame(Stage& stage, const std::function<void()>& page, int& idle_frames);
 
-/// Shows the trouble until the operator decides; the operator's key means leaving.
+enum class TroubleChoice { kRetry, kLeave };
+
+/// Shows the trouble until someone tries again, or the operator leaves by the operator's key.
 [[nodiscard]] TroubleChoice ask_about_trouble(Stage& stage, const Trouble& trouble);
 
 /// Shows the session until the operator decides; nothing: the operator's key.

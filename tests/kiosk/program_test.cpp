@@ -45,9 +45,10 @@ class Visitor {
         : shown_(shown), display_(kScreenWidth, kScreenHeight), place_(place) {}
 
     void start_program() {
-        program_ = ChildProcess(
-            {OBSCURA_PROGRAM, "--data", shown_.data.string(), "run", shown_.file.string()}, -1,
-            log().string());
+        std::vector<std::string> command{OBSCURA_PROGRAM, "--data", shown_.data.string(), "run",
+                                         shown_.file.string()};
+        if (place_ == Place::kWindow) command.emplace_back("--windowed");
+        program_ = ChildProcess(command, -1, log().string());
         EXPECT_TRUE(wait_for([this] { return sees_page(); })) << said();
         pause(0.3);
     }

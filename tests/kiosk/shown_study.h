@@ -85,9 +85,16 @@ class ShownStudy {
                 image.sha256 = base::sha256_hex(bytes);
                 image.condition = condition.id;
                 image.side = side;
+                const renderer::TechniqueChoice& choice =
+                    side == std::string("a") ? condition.a : condition.b;
                 image.scene = condition.scene;
+                image.source = "relic";
+                image.camera = "front";
                 image.validity = "low";
-                image.technique = side == std::string("a") ? "none" : "crytek";
+                image.technique = choice.technique;
+                image.samples = choice.samples;
+                image.parameters = choice.parameters;
+                image.denoise = choice.denoise;
                 image.width = kWidth;
                 image.height = kHeight;
                 image.inputs_sha256 = image.sha256;

@@ -123,6 +123,16 @@ TEST(Noise, RepeatsAfterItsPeriod) {
     }
 }
 
+TEST(Noise, ATileIsTheNoiseItWasMadeFromAndRepeatsAtOne) {
+    const NoiseTile tile(5, 8, 3);
+    for (int k = 0; k < 50; ++k) {
+        const glm::vec2 uv(static_cast<float>(k * 37 % 512) / 512.0F,
+                           static_cast<float>(k * 91 % 512) / 512.0F);
+        EXPECT_NEAR(tile.at(uv), fbm(uv * 8.0F, 5, 3, {8, 8}), 1e-4F);
+        EXPECT_NEAR(tile.at(uv), tile.at(uv + glm::vec2(2.0F, -1.0F)), 1e-3F);
+    }
+}
+
 TEST(Noise, StaysInItsRangeAndVaries) {
     float low = 1e9F;
     float high = -1e9F;

@@ -63,9 +63,9 @@ struct Trouble {
     std::string reason;
     std::string consequence;  ///< what leaving means
 };
-enum class TroubleChoice { kRetry, kLeave };
-[[nodiscard]] std::optional<TroubleChoice> trouble_screen(const Fonts& fonts,
-                                                          const Trouble& trouble);
+/// Gives whether to try again. Only the operator's key leaves, so that no participant gives up an
+/// answer.
+[[nodiscard]] bool trouble_screen(const Fonts& fonts, const Trouble& trouble);
 
 /// Every fixed text of the pages that is not plain ASCII, for the fonts.
 [[nodiscard]] std::vector<std::string> fixed_texts();

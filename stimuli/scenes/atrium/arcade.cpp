@@ -53,7 +53,7 @@ void build_supports(Site& site, const glm::mat4& frame, std::uint32_t seed) {
                      frame * at(x + inwards, 0.5F * (kSpringing - 0.14F), 0.0F), own);
             site.put(Surface::kStone, foot, frame * at(x + inwards, 0.15F, 0.0F), own);
         } else {
-            site.put(Surface::kStone, pillar, frame * at(x, 0.0F, 0.0F), own, shade(own, 0.1F));
+            site.put(Surface::kStone, pillar, frame * at(x, 0.0F, 0.0F), own, shade(own, 0.22F));
         }
         site.put(Surface::kStone, impost, frame * at(x, kSpringing - 0.07F, 0.0F), own,
                  shade(own + 9U, 0.12F));

@@ -113,8 +113,8 @@ void put_rod(Site& site, float length, const glm::mat4& frame) {
     }
     // Brackets to the wall, which is towards the court.
     for (const float side : {-0.42F, 0.42F}) {
-        site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.16F}, 0.006F),
-                 frame * at(side * length, 0.0F, 0.07F), 4U);
+        site.put(Surface::kIron, bevelled_box({0.03F, 0.03F, 0.3F}, 0.006F),
+                 frame * at(side * length, 0.0F, 0.14F), 4U);
     }
 }
 
@@ -136,7 +136,7 @@ void put_tie(Site& site, vec3 centre, float width, const glm::mat4& frame) {
 void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
                   std::uint32_t seed) {
     constexpr float kRodY = 4.98F;
-    const glm::mat4 frame = bay * at(0.0F, kRodY, -kWallHalf - 0.17F);
+    const glm::mat4 frame = bay * at(0.0F, kRodY, -kWallHalf - 0.29F);
     put_rod(site, 3.2F, frame);
     const glm::mat4 cloth = frame * at(0.0F, -0.05F, 0.0F);
     Drape drape;

@@ -274,7 +274,7 @@ void build_furnishings(Site& site) {
     put_planter(site, {line + 0.1F, 0.0F, -9.9F}, false, 1, 305U);
     put_planter(site, {-line - 0.1F, 0.0F, -9.9F}, false, 0, 306U);
     put_planter(site, {line + 0.1F, 0.0F, 7.2F}, false, 1, 307U);
-    put_planter(site, {4.35F, 0.0F, 1.1F}, false, 0, 308U);
+    put_planter(site, {4.8F, 0.0F, 1.1F}, false, 0, 308U);
     put_planter(site, {-6.1F, 0.0F, 1.9F}, false, 1, 309U);
     put_planter(site, {-6.1F, 0.0F, -5.3F}, false, 0, 310U);
     put_planter(site, {6.1F, kGalleryFloor, 3.6F}, false, 1, 311U);
@@ -301,7 +301,7 @@ void build_furnishings(Site& site) {
         }
     }
     for (const vec3& foot : {vec3(-2.55F, 0.0F, 9.3F), vec3(4.35F, 0.0F, -2.2F),
-                             vec3(4.5F, 0.0F, 4.9F), vec3(-4.3F, 0.0F, -3.9F)}) {
+                             vec3(4.85F, 0.0F, 4.9F), vec3(-4.75F, 0.0F, -3.9F)}) {
         const auto seed = static_cast<std::uint32_t>(500.0F + foot.z);
         site.put(Surface::kRoof, vase,
                  glm::scale(glm::translate(glm::mat4(1.0F), foot), vec3(1.25F)), seed,

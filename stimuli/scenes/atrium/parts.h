@@ -48,9 +48,9 @@ enum class Surface {
 inline constexpr std::size_t kSurfaces = 12;
 
 // Vegetable dyes, linear.
-inline constexpr glm::vec3 kDyeRed(0.42F, 0.032F, 0.026F);
-inline constexpr glm::vec3 kDyeGreen(0.060F, 0.20F, 0.075F);
-inline constexpr glm::vec3 kDyeBlue(0.040F, 0.095F, 0.29F);
+inline constexpr glm::vec3 kDyeRed(0.32F, 0.027F, 0.022F);
+inline constexpr glm::vec3 kDyeGreen(0.050F, 0.155F, 0.060F);
+inline constexpr glm::vec3 kDyeBlue(0.036F, 0.080F, 0.235F);
 inline constexpr glm::vec3 kDyeGold(0.62F, 0.39F, 0.11F);
 
 /// The scene while it grows.

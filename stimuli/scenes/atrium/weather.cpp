@@ -28,6 +28,11 @@ vec3 masonry_tone(const vec3& p, const vec3& normal) {
     const vec3 warm =
         glm::mix(vec3(1.0F), vec3(1.0F, 0.955F, 0.88F), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     vec3 colour = warm;
+    // Long runs of old rain, broad and faint.
+    if (std::abs(normal.y) < 0.5F) {
+        const float run = value_noise(vec3(p.x * 5.0F, p.y * 0.35F, p.z * 5.0F), 504);
+        tone *= 1.0F - 0.22F * glm::smoothstep(0.55F, 0.95F, run);
+    }
     // Splashing rain and boots at the foot of both storeys.
     for (const float floor_y : {0.0F, kGalleryFloor}) {
         const float above = p.y - floor_y;

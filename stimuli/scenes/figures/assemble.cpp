@@ -12,7 +12,7 @@
 namespace obscura::stimuli::figures {
 namespace {
 
-constexpr float kReach_m = 0.05F;  ///< how far the painted occlusion looks
+constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
@@ -42,7 +42,7 @@ class NearField {
     }
 
   private:
-    static constexpr float kCell_m = 0.06F;
+    static constexpr float kCell_m = 0.04F;
     using Near = std::pair<const Sculpture*, std::vector<Sculpture::Part>>;
 
     [[nodiscard]] std::size_t index(const glm::ivec3& cell) const {

@@ -57,6 +57,7 @@ struct Figure {
 /// What makes one face differ from another. Lengths are factors of an average man's.
 struct FaceTraits {
     float jaw = 1.0F;      ///< width of the jaw
+    float hollow = 1.0F;   ///< of the cheeks
     float brow = 1.0F;     ///< strength of the brow ridge
     float lips = 1.0F;     ///< fullness
     float nose = 1.0F;     ///< size

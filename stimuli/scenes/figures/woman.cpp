@@ -54,8 +54,8 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
                 std::uint32_t seed) {
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const float upper = glm::length(elbow - shoulder);
-    const Curve arm = make_curve({{p(along(shoulder, elbow, -0.10F)), 0.049F, 0.0F},
-                                  {p(along(shoulder, elbow, 0.25F)), 0.054F, 0.0F},
+    const Curve arm = make_curve({{p(along(shoulder, elbow, -0.10F)), 0.042F, 0.0F},
+                                  {p(along(shoulder, elbow, 0.25F)), 0.0515F, 0.0F},
                                   {p(along(shoulder, elbow, 0.70F)), 0.050F, 0.0F},
                                   {p(elbow), 0.048F, 0.0F},
                                   {p(along(elbow, wrist, 0.30F)), 0.046F, 0.0F}},
@@ -76,7 +76,7 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
                   {0.003F, kShirtColour, true});
     }
     shirt.carve(
-        round_cone(p(along(elbow, wrist, 0.53F)), 0.036F, p(along(elbow, wrist, 0.80F)), 0.040F),
+        round_cone(p(along(elbow, wrist, 0.53F)), 0.0335F, p(along(elbow, wrist, 0.80F)), 0.036F),
         {0.003F, kShirtColour * 0.7F, true});
 }
 

@@ -72,8 +72,8 @@ class Ellipsoid final : public Shape {
         const glm::vec3 q = ((p - centre_) * axes_) / radii_;
         const float k0 = glm::length(q);
         const float k1 = glm::length(q / radii_);
-        if (k1 < 1e-6F) return -std::min(radii_.x, std::min(radii_.y, radii_.z));
-        return k0 * (k0 - 1.0F) / k1;
+        const float deepest = -std::min(radii_.x, std::min(radii_.y, radii_.z));
+        return k1 < 1e-6F ? deepest : std::max(k0 * (k0 - 1.0F) / k1, deepest);
     }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         return box_distance((p - centre_) * axes_, radii_);

@@ -12,10 +12,12 @@
 namespace obscura::stimuli {
 namespace {
 
-constexpr int kCells = 4;             ///< cells along an edge of a block
-constexpr int kLocalCells = 16;       ///< size of a block for which nested sculptures are cut down
-constexpr int kSide = kCells + 1;     ///< corners along an edge, those of the next blocks included
-constexpr float kReachFactor = 1.4F;  ///< slack for fields that are distances of first order only
+constexpr int kCells = 4;          ///< cells along an edge of a block
+constexpr int kLocalCells = 16;    ///< size of a block for which nested sculptures are cut down
+constexpr int kSide = kCells + 1;  ///< corners along an edge, those of the next blocks included
+// Fields that are distances of first order only say too much: flat ellipsoids deep inside most.
+constexpr float kSlackOutside = 1.5F;
+constexpr float kSlackInside = 3.0F;
 
 /// A corner whose edge along `axis` crosses the surface.
 struct Crossing {
@@ -78,7 +80,8 @@ class Mesher {
         const float radius_m = std::sqrt(3.0F) * half * cell_m_ + cell_m_;
         auto parts = sculpture_.near(centre, radius_m, above);
         if (parts.empty()) return;
-        if (std::abs(sculpture_.distance(centre, parts)) > kReachFactor * radius_m) return;
+        const float middle = sculpture_.distance(centre, parts);
+        if (middle > kSlackOutside * radius_m || middle < -kSlackInside * radius_m) return;
         if (cells == kLocalCells) sculpture_.localise(centre, 2.0F * radius_m, parts, owners_);
         if (cells == kCells) {
             blocks_.emplace_back();
