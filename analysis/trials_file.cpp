@@ -140,7 +140,7 @@ class Reader {
   public:
     explicit Reader(const std::string& name) : problems_(file_.name) { file_.name = name; }
 
-    TrialsFile read(const std::vector<CsvRecord>& records) {
+    TrialsFile read(std::vector<CsvRecord> records) {
         if (records.empty()) {
             throw base::bad_input(
                 "{}: the file is empty, allowed is a header with {} and a row "
@@ -157,7 +157,10 @@ class Reader {
             problems_.add(records.front().line, "there is no row below the header");
         }
         file_.trials.reserve(records.size());
-        for (std::size_t i = 1; i < records.size(); ++i) read_row(records[i]);
+        for (std::size_t i = 1; i < records.size(); ++i) {
+            read_row(records[i]);
+            records[i].fields = {};  // a large file need not lie in memory twice
+        }
         problems_.throw_if_any();
         return std::move(file_);
     }

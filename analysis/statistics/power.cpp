@@ -88,8 +88,11 @@ Possible<std::int64_t> participants_needed(SplitTest test, double share, double 
                               kSmallestEffect);
     }
     std::int64_t first = surely_too_few(share, level, power) + 1;
+    std::int64_t critical = critical_votes(test, first, level);
     for (std::int64_t n = first; n <= kMostParticipants; ++n) {
-        if (power_of(test, n, share, level).power < power) {
+        // One participant more moves the critical number by nothing or one.
+        while (critical <= n && p_value(test, critical, n) >= level) ++critical;
+        if (critical > n || chance(n, critical, share) < power) {
             first = n + 1;
         } else if (n - first == kStaysForNext) {
             return first;

@@ -112,9 +112,11 @@ Answers answers_to(const Options& options) {
         const auto needed = [&](SplitTest test, double level) {
             return analysis::participants_needed(test, share, level, options.power);
         };
-        answers.needed.push_back({share, needed(SplitTest::kExact, options.level),
-                                  needed(SplitTest::kChiSquare, options.level),
-                                  needed(SplitTest::kExact, options.corrected_level())});
+        const auto exact = needed(SplitTest::kExact, options.level);
+        answers.needed.push_back({share, exact, needed(SplitTest::kChiSquare, options.level),
+                                  options.conditions == 1
+                                      ? exact
+                                      : needed(SplitTest::kExact, options.corrected_level())});
         if (options.participants) {
             answers.achieved.push_back(achieved_at(*options.participants, share, options));
         }
