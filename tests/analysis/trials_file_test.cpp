@@ -195,5 +195,34 @@ TEST(TrialsFile, ExportedTrialsGiveTheStatisticsOfTheStore) {
     }
 }
 
+TEST(TrialsFile, DamagedFilesAreReadOrRefusedWithTheirPlace) {
+    std::string csv;
+    for (const ExportFile& file : csv_export(random_contents(false))) {
+        if (file.name == "trials.csv") csv = file.bytes;
+    }
+    csv.resize(csv.find('\n', 6000) + 1);
+    const std::string other = kHeader + "ann,x,y,1\nbob,y,x,0\ncleo,\"x\",y,true\n";
+    constexpr std::array<std::string_view, 9> pieces{",",  "\"",   "\n",   "\r\n", "",
+                                                     "-1", "1e99", "\xC3", "AB"};
+    std::mt19937 random(7);
+    int accepted = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::string text = i % 2 == 0 ? csv : other;
+        for (unsigned change = random() % 3; change < 3; ++change) {
+            text.replace(random() % text.size(), random() % 4, pieces.at(random() % pieces.size()));
+        }
+        try {
+            const Analysis analysis =
+                analyse(tally_of(parse_trials(text, "t.csv"), "", Kind::kParticipant));
+            EXPECT_THAT(json_report(analysis), Not(HasSubstr("nan")));
+            ++accepted;
+        } catch (const base::Error& error) {
+            EXPECT_EQ(error.code(), base::ExitCode::kBadInput) << error.what();
+            EXPECT_THAT(error.what(), HasSubstr("t.csv"));
+        }
+    }
+    EXPECT_GT(accepted, 20) << "some damage is harmless";
+}
+
 }  // namespace
 }  // namespace obscura::analysis
