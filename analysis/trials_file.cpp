@@ -140,32 +140,32 @@ class Reader {
   public:
     explicit Reader(const std::string& name) : problems_(file_.name) { file_.name = name; }
 
-    TrialsFile read(std::vector<CsvRecord> records) {
-        if (records.empty()) {
+    TrialsFile read(std::string_view text) {
+        for_each_csv_record(text, file_.name, [&](const CsvRecord& record) {
+            header_ ? read_row(record) : read_header(record);
+        });
+        if (!header_) {
             throw base::bad_input(
                 "{}: the file is empty, allowed is a header with {} and a row "
                 "for each trial",
                 file_.name, fmt::join(kNames.begin(), kNames.begin() + kNeeded, ","));
         }
-        const Header header(records.front(), problems_);
         problems_.throw_if_any();
-        header_ = &header;
-        if (!header.has(kOrder) && !header.has(kFirstShown)) {
-            file_.order_unknown = "the file does not say which image was shown first";
+        if (file_.trials.empty()) {
+            throw base::bad_input("{}:1: there is no row below the header", file_.name);
         }
-        if (records.size() == 1) {
-            problems_.add(records.front().line, "there is no row below the header");
-        }
-        file_.trials.reserve(records.size());
-        for (std::size_t i = 1; i < records.size(); ++i) {
-            read_row(records[i]);
-            records[i].fields = {};  // a large file need not lie in memory twice
-        }
-        problems_.throw_if_any();
         return std::move(file_);
     }
 
   private:
+    void read_header(const CsvRecord& record) {
+        header_.emplace(record, problems_);
+        problems_.throw_if_any();
+        if (!header_->has(kOrder) && !header_->has(kFirstShown)) {
+            file_.order_unknown = "the file does not say which image was shown first";
+        }
+    }
+
     void read_row(const CsvRecord& row) {
         if (row.fields.size() != header_->width()) {
             problems_.add(row.line, fmt::format("the row has {} fields, allowed are {}",
@@ -370,7 +370,7 @@ class Reader {
 
     TrialsFile file_;
     Problems problems_;
-    const Header* header_ = nullptr;
+    std::optional<Header> header_;
     std::unordered_map<std::string, std::size_t> session_;  ///< name to place
     std::vector<bool> has_kind_;                            ///< of each session
     std::unordered_map<std::string, int> index_line_;
@@ -382,7 +382,7 @@ class Reader {
 }  // namespace
 
 TrialsFile parse_trials(std::string_view text, const std::string& name) {
-    return Reader(name).read(parse_csv(text, name));
+    return Reader(name).read(text);
 }
 
 TrialsFile read_trials(const std::filesystem::path& file) {
