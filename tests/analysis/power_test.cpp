@@ -49,6 +49,21 @@ TEST(ParticipantsNeeded, KeepThePowerForTheNextSixAndNotFromOneEarlier) {
     }
 }
 
+TEST(ParticipantsNeeded, AreThoseThatASearchFromOneFinds) {
+    for (const double share : {.55, .42, .7}) {
+        for (const double power : {.03, .3, .8, .99}) {
+            for (const double level : {.05, .001, .4}) {
+                std::int64_t first = 1;
+                for (std::int64_t n = 1; n - first <= kStaysForNext; ++n) {
+                    if (power_of(SplitTest::kExact, n, share, level).power < power) first = n + 1;
+                }
+                EXPECT_EQ(*participants_needed(SplitTest::kExact, share, level, power), first)
+                    << share << " " << power << " " << level;
+            }
+        }
+    }
+}
+
 TEST(ParticipantsNeeded, IsFoundForSmallEffectsAndUnusualPowers) {
     // The normal approximation (1.959964 + .841621)^2 / (4 * .003^2) is 218,024.
     EXPECT_NEAR(static_cast<double>(*participants_needed(SplitTest::kExact, .503, .05, .8)),
