@@ -86,7 +86,8 @@ TEST(FisherExact, TheTailKeepsItsSizeWhereDoublesEnd) {
     // Everything apart: 2 / C(2 n, n) for two rows of n, by Stirling's series.
     const double n = 1e6;
     const double log10_choose =
-        (2.0 * n * std::log(2.0) - 0.5 * std::log(std::numbers::pi * n) - 1.0 / (8.0 * n)) / std::log(10.0);
+        (2.0 * n * std::log(2.0) - 0.5 * std::log(std::numbers::pi * n) - 1.0 / (8.0 * n)) /
+        std::log(10.0);
     const auto apart = fisher_exact({0, 1'000'000}, {1'000'000, 0});
     EXPECT_NEAR(apart->log10_p, std::log10(2.0) - log10_choose, 1e-6);
     EXPECT_EQ(apart->p, 0.0);
