@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/csv.h"
 
+#include <utility>
+
 #include "analysis/text.h"
 #include "renderer/base/error.h"
 
@@ -14,14 +16,14 @@ class Parser {
   public:
     Parser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-    std::vector<CsvRecord> records() {
+    void run(const std::function<void(CsvRecord&&)>& take) {
         if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
         while (at_ < text_.size()) {
             if (skip_line_end()) continue;
-            records_.push_back({line_, {}});
-            read_record(records_.back().fields);
+            CsvRecord record{line_, {}};
+            read_record(record.fields);
+            take(std::move(record));
         }
-        return std::move(records_);
     }
 
   private:
@@ -78,7 +80,6 @@ class Parser {
     const std::string& name_;
     std::size_t at_ = 0;
     int line_ = 1;
-    std::vector<CsvRecord> records_;
 };
 
 void require_utf8(std::string_view text, const std::string& name) {
@@ -96,8 +97,16 @@ void require_utf8(std::string_view text, const std::string& name) {
 }  // namespace
 
 std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name) {
+    std::vector<CsvRecord> records;
+    for_each_csv_record(text, name,
+                        [&](CsvRecord&& record) { records.push_back(std::move(record)); });
+    return records;
+}
+
+void for_each_csv_record(std::string_view text, const std::string& name,
+                         const std::function<void(CsvRecord&&)>& take) {
     require_utf8(text, name);
-    return Parser(text, name).records();
+    Parser(text, name).run(take);
 }
 
 std::string csv_line(const std::vector<std::string>& fields) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ struct CsvRecord {
 /// input as `name:line: what is wrong` for quotes that do not close or stand in the middle of a
 /// field, and for text that is not UTF-8.
 [[nodiscard]] std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name);
+
+/// The same one after another, so that a large file need not lie in memory as records. `take` may
+/// keep what it is given; records before one that is wrong have been taken when it throws.
+void for_each_csv_record(std::string_view text, const std::string& name,
+                         const std::function<void(CsvRecord&&)>& take);
 
 /// One record with its line feed, quoted where RFC 4180 asks for it. A record of one empty field is
 /// written with quotes, because a reader would take it for an empty line.

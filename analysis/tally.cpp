@@ -8,6 +8,7 @@
 #include <cctype>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 #include "renderer/base/error.h"
 
@@ -78,13 +79,14 @@ std::string chosen_study(const std::string& source, const std::vector<SessionRec
     return study;
 }
 
+/// Where each condition stands in the list of them.
+using Places = std::unordered_map<std::string, std::size_t>;
+
 /// The entry of the trial's condition, made when it is new.
-ConditionVotes& entry_of(const std::string& source, const TrialRecord& trial,
+ConditionVotes& entry_of(const std::string& source, const TrialRecord& trial, Places& places,
                          std::vector<ConditionVotes>& conditions) {
-    const auto found = std::find_if(
-        conditions.begin(), conditions.end(),
-        [&](const ConditionVotes& condition) { return condition.id == trial.condition; });
-    if (found == conditions.end()) {
+    const auto [place, is_new] = places.emplace(trial.condition, conditions.size());
+    if (is_new) {
         return conditions.emplace_back(ConditionVotes{trial.condition,
                                                       trial.hypothesis,
                                                       trial.validity,
@@ -92,6 +94,7 @@ ConditionVotes& entry_of(const std::string& source, const TrialRecord& trial,
                                                       trial.condition_B,
                                                       {}});
     }
+    ConditionVotes* const found = &conditions[place->second];
     const auto met =
         std::tie(trial.hypothesis, trial.validity, trial.condition_A, trial.condition_B);
     const auto first =
@@ -115,21 +118,26 @@ Tally tally_trials(const std::string& source, const std::vector<SessionRecord>& 
     tally.source = source;
     tally.kind = kind;
     tally.study = chosen_study(source, sessions, study, kind);
-    std::set<std::string> counted_sessions;
-    std::set<std::string> participants;
+    std::unordered_map<std::string, std::int32_t> participant_of;  // a session that counts
+    std::unordered_map<std::string, std::int32_t> participants;
     for (const SessionRecord& session : sessions) {
         if (session.state != SessionState::kCompleted || session.kind != kind ||
             session.study != tally.study) {
             continue;
         }
-        counted_sessions.insert(session.session_id);
-        participants.insert(session.participant_id);
+        const auto number = static_cast<std::int32_t>(participants.size());
+        const auto [participant, is_new] = participants.emplace(session.participant_id, number);
+        participant_of.emplace(session.session_id, participant->second);
     }
     OrderVotes order;
+    Places places;
     for (const TrialRecord& trial : trials) {
-        if (trial.kind != kind || !counted_sessions.contains(trial.session_id)) continue;
-        Votes& votes = entry_of(source, trial, tally.conditions).votes;
-        ++(trial.is_A_selected ? votes.a : votes.b);
+        const auto session = participant_of.find(trial.session_id);
+        if (trial.kind != kind || session == participant_of.end()) continue;
+        ConditionVotes& condition = entry_of(source, trial, places, tally.conditions);
+        ++(trial.is_A_selected ? condition.votes.a : condition.votes.b);
+        condition.answers.push_back(
+            {session->second, !trial.is_A_selected, trial.first_shown == 'A'});
         ++order.n;
         if (!trial.response_first) ++order.second_chosen;
     }

@@ -11,6 +11,13 @@
 
 namespace obscura::analysis {
 
+/// One vote, and who gave it.
+struct Answer {
+    std::int32_t participant = 0;  ///< number of the participant in the tally, from 0
+    bool chose_b = false;
+    bool b_second = false;  ///< B was shown second; has no meaning where Tally::order has no value
+};
+
 /// What one condition is, and the votes it got.
 struct ConditionVotes {
     std::string id;
@@ -19,6 +26,7 @@ struct ConditionVotes {
     std::string variant_a;
     std::string variant_b;
     Votes votes;
+    std::vector<Answer> answers = {};  ///< each vote; empty where only the counts are known
 };
 
 /// Which image was chosen, by the order of showing.

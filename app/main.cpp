@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
+#include <string>
+#include <string_view>
 
 #include "app/commands/list.h"
 #include "renderer/base/error.h"
@@ -14,7 +18,38 @@ namespace {
 
 using obscura::base::ExitCode;
 
+/// An empty value is most often a script's unset variable: it must not mean "the default".
+void refuse_empty_values(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word.empty()) {
+            throw obscura::base::bad_input("the value after \"{}\" is empty", argv[i - 1]);
+        }
+        if (word.starts_with("--") && word.ends_with("=")) {
+            throw obscura::base::bad_input("{}: its value is empty", word);
+        }
+    }
+}
+
+/// The first word that is neither an option nor a command is most often a command misspelt.
+void name_unknown_command(const CLI::App& program, int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--data") {
+            ++i;
+        } else if (!word.starts_with("-")) {
+            std::string known;
+            for (const CLI::App* command : program.get_subcommands({})) {
+                if (command->get_name() == word) return;
+                known += (known.empty() ? "" : ", ") + command->get_name();
+            }
+            throw obscura::base::bad_input("there is no command \"{}\"; there are {}", word, known);
+        }
+    }
+}
+
 int run(int argc, char** argv) {
+    refuse_empty_values(argc, argv);
     CLI::App program{
         "Obscura: can people see the difference between ways of approximating ambient "
         "occlusion?",
@@ -32,13 +67,18 @@ int run(int argc, char** argv) {
         CLI::App* options = program.add_subcommand(command.name, command.summary);
         options->callback([&chosen, act = command.attach(*options, globals)] { chosen = act; });
     }
+    name_unknown_command(program, argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kBadInput);
     }
     obscura::base::set_up_log(globals.quiet);
-    return static_cast<int>(chosen());
+    const ExitCode code = chosen();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw obscura::base::failure("cannot write to standard output: {}", std::strerror(errno));
+    }
+    return static_cast<int>(code);
 }
 
 }  // namespace

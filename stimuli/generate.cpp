@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
@@ -51,42 +52,98 @@ std::vector<Stimulus> select(const Study& study, const Selection& selection) {
             wanted.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
-/// Every image that some manifest in the folder calls finished and whose bytes are as it says.
-std::map<std::string, ManifestImage> finished_images(const fs::path& folder) {
-    std::map<std::string, ManifestImage> finished;
-    if (!fs::is_directory(folder)) return finished;
+/// manifest.json, or the list of a part, manifest-K-of-N.json; nothing else that may lie there.
+bool is_part_manifest(const std::string& name) {
+    static const std::regex pattern("manifest-[0-9]+-of-[0-9]+\\.json");
+    return std::regex_match(name, pattern);
+}
+bool is_manifest(const std::string& name) {
+    return name == "manifest.json" || is_part_manifest(name);
+}
+
+/// A finished image, and whether this program would make it from the same inputs today.
+struct Finished {
+    ManifestImage image;
+    bool current = false;
+};
+using FinishedImages = std::map<std::string, Finished>;  ///< by file
+
+/// Every image that some manifest in the folder calls finished, whose bytes are as it says and
+/// which shows what the study asks. Where several do, a current one wins.
+FinishedImages finished_images(const Study& study, const StimulusRenderer& renderer,
+                               const fs::path& folder) {
+    std::map<std::string, std::string> inputs;
+    for (const Stimulus& stimulus : stimuli_of(study)) {
+        inputs[stimulus.file()] = renderer.inputs_sha256(stimulus);
+    }
+    FinishedImages finished;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        if (!name.starts_with("manifest") || !name.ends_with(".json")) continue;
+        if (!is_manifest(name)) continue;
         Manifest manifest;
         try {
             manifest = load_manifest(entry.path());
         } catch (const base::Error&) {
             continue;  // what it listed is made again, and the list with it
         }
+        const bool same_gpu = manifest.gpu_renderer == renderer::gpu_renderer();
         for (const ManifestImage& image : manifest.images) {
             const fs::path file = folder / image.file;
-            if (fs::is_regular_file(file) &&
-                base::sha256_hex(base::read_file(file)) == image.sha256) {
-                finished.insert_or_assign(image.file, image);
-            }
+            if (!inputs.contains(image.file) || !fs::is_regular_file(file)) continue;
+            if (!shows_what_is_asked(study, image)) continue;
+            const bool current = same_gpu && image.inputs_sha256 == inputs.at(image.file);
+            if (!current && !same_gpu) continue;
+            if (base::sha256_hex(base::read_file(file)) != image.sha256) continue;
+            Finished& known = finished[image.file];
+            if (!known.current) known = {image, current};
         }
     }
     return finished;
 }
 
-/// The finished images of the study whose inputs are today's, in the study's order.
-Manifest manifest_of(const Study& study, const StimulusRenderer& renderer,
-                     const std::map<std::string, ManifestImage>& finished) {
+/// Throws bad input where the folder holds the images of a study of another name: their list would
+/// be lost.
+void refuse_another_study(const Study& study, const fs::path& folder) {
+    const fs::path file = folder / "manifest.json";
+    if (!fs::exists(file)) return;
+    std::string other;
+    try {
+        other = load_manifest(file).study;
+    } catch (const base::Error&) {
+        return;  // a damaged list is made again
+    }
+    if (other != study.name) {
+        throw base::bad_input(
+            "--out: {} holds the images of the study {}, not of {}; name another "
+            "folder",
+            folder.string(), other, study.name);
+    }
+}
+
+/// The finished images in the study's order.
+Manifest manifest_of(const Study& study, const FinishedImages& finished) {
     Manifest manifest{study.name, study.seed, renderer::gpu_renderer(), {}};
     for (const Stimulus& stimulus : stimuli_of(study)) {
         const auto found = finished.find(stimulus.file());
-        if (found != finished.end() &&
-            found->second.inputs_sha256 == renderer.inputs_sha256(stimulus)) {
-            manifest.images.push_back(found->second);
-        }
+        if (found != finished.end()) manifest.images.push_back(found->second.image);
     }
     return manifest;
+}
+
+bool is_current(const FinishedImages& finished, const std::string& file) {
+    const auto found = finished.find(file);
+    return found != finished.end() && found->second.current;
+}
+
+/// The lists of parts, which manifest.json replaces once it lists everything.
+void remove_part_manifests(const fs::path& folder) {
+    std::vector<fs::path> parts;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (is_part_manifest(name)) parts.push_back(entry.path());
+    }
+    std::error_code ignored;
+    for (const fs::path& part : parts) fs::remove(part, ignored);
 }
 
 std::string title_of(const Stimulus& stimulus) {
@@ -128,9 +185,10 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
                    bool quiet, const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     base::require_writable_folder(folder, "--out");
+    refuse_another_study(study, folder);
     const renderer::HeadlessContext context;
     StimulusRenderer renderer(study, catalogue);
-    std::map<std::string, ManifestImage> finished = finished_images(folder);
+    FinishedImages finished = finished_images(study, renderer, folder);
     const fs::path list =
         folder / (selection.shards == 1
                       ? std::string("manifest.json")
@@ -138,9 +196,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     Generated generated;
     base::Progress progress("render", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
-        const auto found = finished.find(stimulus.file());
-        if (found != finished.end() &&
-            found->second.inputs_sha256 == renderer.inputs_sha256(stimulus)) {
+        if (is_current(finished, stimulus.file())) {
             ++generated.kept;
             progress.step(stimulus.file() + " (kept)");
             continue;
@@ -150,26 +206,38 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
         base::write_file_atomically(folder / entry.file, bytes);
-        finished.insert_or_assign(entry.file, entry);
-        save_manifest(list, manifest_of(study, renderer, finished));
+        finished.insert_or_assign(entry.file, Finished{entry, true});
+        save_manifest(list, manifest_of(study, finished));
         ++generated.made;
         progress.step(title_of(stimulus));
     }
     // Other parts may have finished meanwhile.
-    const Manifest all = manifest_of(study, renderer, finished_images(folder));
-    generated.complete = all.images.size() == stimuli_of(study).size();
-    if (generated.complete || selection.shards == 1) save_manifest(folder / "manifest.json", all);
+    finished = finished_images(study, renderer, folder);
+    const std::vector<Stimulus> all = stimuli_of(study);
+    generated.complete = std::all_of(all.begin(), all.end(), [&](const Stimulus& stimulus) {
+        return is_current(finished, stimulus.file());
+    });
+    const bool up_to_date = generated.made == 0 && problems_of_stimuli(study, folder).empty();
+    if (!up_to_date && (generated.complete || selection.shards == 1)) {
+        save_manifest(folder / "manifest.json", manifest_of(study, finished));
+    }
+    if (generated.complete) remove_part_manifests(folder);
     return generated;
 }
 
-std::vector<std::string> verify(const Study& study, const Selection& selection,
-                                const fs::path& folder, bool quiet,
-                                const std::vector<BuiltinScene>& catalogue) {
+Verified verify(const Study& study, const Selection& selection, const fs::path& folder, bool quiet,
+                const std::vector<BuiltinScene>& catalogue) {
     const std::vector<Stimulus> wanted = select(study, selection);
     const Manifest manifest = load_manifest(folder / "manifest.json");
     const renderer::HeadlessContext context;
     StimulusRenderer renderer(study, catalogue);
-    std::vector<std::string> problems;
+    Verified verified;
+    std::vector<std::string>& problems = verified.problems;
+    if (manifest.study != study.name || manifest.seed != study.seed) {
+        problems.push_back(fmt::format("{}: it is of the study {} with seed {}, not of {} with {}",
+                                       (folder / "manifest.json").string(), manifest.study,
+                                       manifest.seed, study.name, study.seed));
+    }
     base::Progress progress("verify", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         const fs::path file = folder / stimulus.file();
@@ -183,7 +251,10 @@ std::vector<std::string> verify(const Study& study, const Selection& selection,
             const std::string stored = base::sha256_hex(base::read_file(file));
             const std::string made =
                 base::sha256_hex(encode_png(image_of(renderer.render(stimulus))));
-            if (stored != entry->sha256) {
+            if (!shows_what_is_asked(study, *entry)) {
+                problems.push_back(fmt::format(
+                    "{}: the manifest's entry is not of what the study asks for", file.string()));
+            } else if (stored != entry->sha256) {
                 problems.push_back(
                     fmt::format("{}: its SHA-256 is {}, the manifest has {}: the file was changed",
                                 file.string(), stored, entry->sha256));
@@ -194,9 +265,10 @@ std::vector<std::string> verify(const Study& study, const Selection& selection,
                     file.string(), made, stored, manifest.gpu_renderer, renderer::gpu_renderer()));
             }
         }
+        ++verified.checked;
         progress.step(title_of(stimulus));
     }
-    return problems;
+    return verified;
 }
 
 std::string explain(const Study& study, const Selection& selection, bool quiet,
@@ -207,7 +279,7 @@ std::string explain(const Study& study, const Selection& selection, bool quiet,
     std::string text = fmt::format("{}\n", renderer::gpu_description());
     base::Progress progress("explain", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
-        { const renderer::Frame warm_up = renderer.render(stimulus); }
+        for (int warm_up = 0; warm_up < 3; ++warm_up) (void)renderer.render(stimulus);
         text += explanation_of(study, stimulus, renderer.render(stimulus));
         progress.step(title_of(stimulus));
     }

@@ -28,21 +28,29 @@ struct Generated {
 
 /// Makes the selected images in `folder`, without a display. Each file is written beside and
 /// renamed; a finished one whose inputs are the same is kept. manifest.json lists, at any moment,
-/// images that are finished; parts (`shards` > 1) keep a list of their own, manifest-K-of-N.json,
-/// and whichever part finds all images finished writes manifest.json. Throws bad input for an
+/// images that are finished and show what the study asks; parts (`shards` > 1) keep a list of their
+/// own, manifest-K-of-N.json, and whichever part finds all images finished writes manifest.json and
+/// removes those lists. Throws bad input for an
 /// unknown pair or part, failure when a file cannot be written.
 Generated generate(const Study& study, const Selection& selection,
                    const std::filesystem::path& folder, bool quiet,
                    const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
-/// Renders the selected images in memory and says, a sentence each, which files differ from what
-/// this program renders, from the manifest, or are missing. Empty when all agree.
-[[nodiscard]] std::vector<std::string> verify(
-    const Study& study, const Selection& selection, const std::filesystem::path& folder, bool quiet,
-    const std::vector<BuiltinScene>& catalogue = builtin_scenes());
+/// What verify() found.
+struct Verified {
+    int checked = 0;
+    std::vector<std::string> problems;  ///< a sentence each, naming the file
+};
+
+/// Renders the selected images in memory and says which files differ from what this program
+/// renders, from the manifest, or are missing.
+[[nodiscard]] Verified verify(const Study& study, const Selection& selection,
+                              const std::filesystem::path& folder, bool quiet,
+                              const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
 /// Renders the selected images in memory and tells of each its passes with milliseconds (of a
-/// second rendering, when shaders are compiled), its buffers with bytes, and what was left out.
+/// fourth rendering, after three that are discarded), its buffers with bytes, and what was left
+/// out.
 [[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet,
                                   const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 

@@ -93,17 +93,17 @@ std::string in_words(const std::string& source, const std::string& camera,
                        choice.variant_name(), settings, choice.denoise);
 }
 
+renderer::TechniqueChoice choice_of(const ManifestImage& image) {
+    return {image.technique, image.samples, image.parameters, image.denoise};
+}
+
 /// An image of before the study was edited is as sound a file as any, but shows something else.
 std::string problem_of_content(const Study& study, const Condition& condition,
                                const ManifestImage& image, const std::filesystem::path& path) {
+    if (shows_what_is_asked(study, image)) return "";
     const StudyScene& scene = study.scene_of(condition);
     const renderer::TechniqueChoice& wanted = image.side == "a" ? condition.a : condition.b;
-    const renderer::TechniqueChoice made{image.technique, image.samples, image.parameters,
-                                         image.denoise};
-    if (image.source == scene.source && image.camera == scene.camera &&
-        image.validity == to_string(scene.validity) && same_variant(made, wanted)) {
-        return "";
-    }
+    const renderer::TechniqueChoice made = choice_of(image);
     return fmt::format("{}: it shows {}; the study asks for {}; obscura render makes it anew",
                        path.string(), in_words(image.source, image.camera, image.validity, made),
                        in_words(scene.source, scene.camera, to_string(scene.validity), wanted));
@@ -141,6 +141,16 @@ const ManifestImage* Manifest::find(const std::string& condition, const std::str
         return image.condition == condition && image.side == side;
     });
     return found != images.end() ? &*found : nullptr;
+}
+
+bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
+    const Condition* condition = study.find_condition(image.condition);
+    if (condition == nullptr) return false;
+    const StudyScene& scene = study.scene_of(*condition);
+    return image.source == scene.source && image.camera == scene.camera &&
+           image.validity == to_string(scene.validity) && image.width == study.width &&
+           image.height == study.height &&
+           same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
 }
 
 Manifest load_manifest(const std::filesystem::path& file) {

@@ -56,6 +56,10 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest);
 [[nodiscard]] std::filesystem::path stimuli_folder(const std::filesystem::path& data,
                                                    const Study& study);
 
+/// Whether the image shows what the study asks of its condition and side: scene, camera, validity,
+/// size, technique and every parameter.
+[[nodiscard]] bool shows_what_is_asked(const Study& study, const ManifestImage& image);
+
 /// Everything that keeps a study from being shown, a sentence each naming the file: no manifest,
 /// an image missing, its bytes not those of the manifest (SHA-256), its size not the study's, or
 /// made from another scene, camera, validity, technique or parameter than the study now asks for.

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
@@ -31,7 +30,7 @@ std::map<std::string, double> parameters_of(const renderer::TechniqueChoice& cho
 std::string hash_of_environment() {
     std::string all = base::sha256_hex(base::read_file("/proc/self/exe"));
     all += renderer::gpu_description();
-    if (std::getenv("OBSCURA_SHADERS") != nullptr) {
+    if (!renderer::gl::shader_folder().empty()) {
         for (const std::string_view path : renderer::shaders::embedded_names()) {
             all += renderer::gl::shader_source(std::string(path));
         }

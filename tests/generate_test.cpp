@@ -80,7 +80,7 @@ class Generate : public testing::Test {
         return generate(study_, selection, folder_, true, catalogue());
     }
     [[nodiscard]] std::vector<std::string> check(const Selection& selection = {}) {
-        return verify(study_, selection, folder_, true, catalogue());
+        return verify(study_, selection, folder_, true, catalogue()).problems;
     }
     [[nodiscard]] std::vector<std::string> files() const {
         std::vector<std::string> names;
@@ -162,6 +162,54 @@ TEST_F(Generate, PartsTogetherMakeTheWholeAndTheLastWritesTheManifest) {
     EXPECT_EQ(make().kept, 4);
 }
 
+TEST_F(Generate, AnOldListOfAPartSpoilsNothing) {
+    make();
+    Manifest old = load_manifest(folder_ / "manifest.json");
+    for (ManifestImage& image : old.images) image.inputs_sha256 = "of another program";
+    save_manifest(folder_ / "manifest-1-of-2.json", old);
+    const Generated again = make();
+    EXPECT_EQ(again.kept, 4);
+    EXPECT_TRUE(again.complete);
+    EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
+    EXPECT_FALSE(fs::exists(folder_ / "manifest-1-of-2.json"));
+}
+
+TEST_F(Generate, MakingOnePairAnewKeepsTheOtherSoundImagesListed) {
+    make();
+    Manifest old = load_manifest(folder_ / "manifest.json");
+    for (ManifestImage& image : old.images) image.inputs_sha256 = "of another program";
+    save_manifest(folder_ / "manifest.json", old);
+    const Generated one = make({"I", 1, 1});
+    EXPECT_EQ(one.made, 2);
+    EXPECT_FALSE(one.complete);
+    EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
+}
+
+TEST_F(Generate, FilesOfTheUsersOwnStay) {
+    make();
+    fs::copy_file(folder_ / "manifest.json", folder_ / "manifest-of-session-1.json");
+    make();
+    EXPECT_TRUE(fs::exists(folder_ / "manifest-of-session-1.json"));
+}
+
+TEST_F(Generate, AnEntryThatSaysSomethingElseIsFoundAndMadeAnew) {
+    make();
+    Manifest manifest = load_manifest(folder_ / "manifest.json");
+    manifest.images[1].samples = 99;
+    save_manifest(folder_ / "manifest.json", manifest);
+    EXPECT_EQ(check().size(), 1U);
+    EXPECT_EQ(make().made, 1);
+    EXPECT_THAT(check(), testing::IsEmpty());
+    EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
+}
+
+TEST_F(Generate, AFolderOfAnotherStudyIsRefusedAndLeftAlone) {
+    make();
+    study_.name = "others";
+    EXPECT_THROW(make(), base::Error);
+    EXPECT_EQ(load_manifest(folder_ / "manifest.json").study, "blocks");
+}
+
 TEST_F(Generate, UnknownPairsAndPartsAreRefusedBeforeAnythingIsWritten) {
     EXPECT_THROW(make({"VIII", 1, 1}), base::Error);
     EXPECT_THROW(make({"", 0, 2}), base::Error);
@@ -203,25 +251,29 @@ TEST_F(Generate, AFullDiskFailsClearlyAndLeavesOnlyWholeFiles) {
 }
 
 TEST_F(Generate, BeingKilledLeavesNoHalfFile) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        for (;;) {
-            fs::remove_all(folder_);
-            make();
+    int images = 0;
+    for (const int delay_ms : {300, 500, 700, 900, 1100}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (;;) {
+                fs::remove_all(folder_);
+                make();
+            }
         }
-    }
-    ::usleep(700000);
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (fs::exists(folder_)) {
+        ::usleep(static_cast<useconds_t>(delay_ms) * 1000);
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        if (!fs::exists(folder_)) continue;
         for (const std::string& name : files()) {
             EXPECT_TRUE(name.ends_with(".png") || name == "manifest.json") << name;
             if (!name.ends_with(".png")) continue;
             const RgbImage image = decode_png(base::read_file(folder_ / name), name);
             EXPECT_EQ(image.width, 96) << name;
+            ++images;
         }
     }
+    EXPECT_GT(images, 0) << "the program was always killed before its first image";
     EXPECT_TRUE(make().complete);
     EXPECT_THAT(check(), testing::IsEmpty());
 }

@@ -7,6 +7,7 @@
 
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
+#include "tests/technique_model.h"
 #include "tests/test_scenes.h"
 
 namespace obscura::renderer {
@@ -147,6 +148,59 @@ TEST_P(Computing, OddSizesRenderToo) {
             ASSERT_TRUE(value >= 0.0F && value <= 1.0F) << width << "x" << height;
         }
     }
+}
+
+/// Boxes before a wall and on a floor, some tilted out of the axes by the camera.
+Scene cluttered_scene() {
+    Scene scene = tests::empty_scene();
+    tests::add_quad(scene, {-20.0F, -1.0F, -9.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 8.0F, 0.0F});
+    tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -9.0F});
+    for (int i = 0; i < 6; ++i) {
+        const auto x = static_cast<float>(i - 3);
+        tests::add_box(scene, {x, -1.0F, -4.0F - 0.7F * x}, {x + 0.6F, 0.3F * x, -3.5F - 0.7F * x});
+    }
+    return scene;
+}
+
+TEST_P(Computing, EveryPixelIsWhatTheDefinitionGives) {
+    Camera camera = forward_camera();
+    camera.position_m = {0.6F, 1.4F, 0.5F};
+    camera.target_m = {-0.2F, -0.3F, -4.0F};
+    camera.far_m = 30.0F;
+    TechniqueChoice choice = choice_of(GetParam());
+    const bool crytek = GetParam() == "crytek";
+    const int steps = GetParam() == "raymarch" ? 4 : 1;
+    const tests::TechniqueModel::Curve curve{0.9, 0.03, 1.1, 6.0};
+    if (crytek) {
+        choice.parameters = {{"offset_scale", 0.02}};
+    } else {
+        choice.parameters = {{"radius_m", curve.radius_m},
+                             {"full_threshold_m", curve.full_m},
+                             {"no_threshold_m", curve.no_m},
+                             {"power", curve.power}};
+    }
+    const Frame frame = render(cluttered_scene(), choice, 128, 96, camera);
+    const tests::TechniqueModel model(frame, camera);
+    const std::vector<float> measured = frame.read_floats(Target::kAccessibility);
+    int compared = 0;
+    int off = 0;
+    double sum = 0.0;
+    for (int y = 0; y < 96; ++y) {
+        for (int x = 0; x < 128; ++x) {
+            if (model.depth_m(x, y) > kBackgroundLimit_m) continue;
+            const double expected = crytek ? model.crytek(x, y, choice.samples, 0.02)
+                                           : model.view_space(x, y, choice.samples, steps, curve);
+            const double found = measured[static_cast<std::size_t>(95 - y) * 128 + x];
+            ++compared;
+            sum += found;
+            if (std::abs(found - expected) > 1e-4) ++off;
+        }
+    }
+    // A sample on the border of two texels or on a threshold may fall either way in single
+    // precision; hardly any pixel has one.
+    EXPECT_GT(compared, 8000);
+    EXPECT_LT(off, compared / 50);
+    EXPECT_LT(sum / compared, 0.98) << "nothing was occluded";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Computing, testing::Values("crytek", "blizzard", "raymarch"),

@@ -11,10 +11,13 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/report/same_participants.h"
+#include "analysis/report/variant_scales.h"
 #include "analysis/statistics/benjamini_hochberg.h"
 #include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/fisher_exact.h"
 #include "analysis/statistics/holm.h"
 
 namespace obscura::analysis {
@@ -33,6 +36,8 @@ Preference preference_of(const Votes& votes) {
     preference.wilson = wilson(votes.b, votes.n(), kConfidence);
     preference.clopper_pearson = clopper_pearson(votes.b, votes.n(), kConfidence);
     preference.cohens_g = cohens_g(votes);
+    preference.posterior = posterior_flat(votes.b, votes.n(), kConfidence);
+    preference.bayes_factor = bayes_factor(votes.b, votes.n());
     return preference;
 }
 
@@ -165,7 +170,20 @@ Comparison by_level(const Family& family) {
         comparison.votes.back().b += condition->votes.b;
     }
     comparison.test = chi_square_homogeneity(comparison.votes);
+    if (comparison.votes.size() == 2) {
+        comparison.fisher = fisher_exact(comparison.votes[0], comparison.votes[1]);
+    }
+    comparison.same_participants = same_participants(family);
     return comparison;
+}
+
+/// With the test that fits what is known.
+std::string sentence_of(const Comparison& comparison) {
+    const Possible<PValue> p = p_of(comparison);
+    if (!p.has_value()) return fmt::format("no test, {}.", p.reason);
+    return fmt::format("{}: {}.", test_words(comparison),
+                       p->p < kSignificance ? "the levels differ"
+                                            : "no significant difference between the levels");
 }
 
 std::string sentence_of(const std::vector<Comparison>& comparisons) {
@@ -178,14 +196,7 @@ std::string sentence_of(const std::vector<Comparison>& comparisons) {
         sentence +=
             fmt::format(" {} against {} over {} ({}): ", comparison.variant_a, comparison.variant_b,
                         fmt::join(comparison.levels, ", "), fmt::join(comparison.conditions, ", "));
-        if (!comparison.test.has_value()) {
-            sentence += fmt::format("no test, {}.", comparison.test.reason);
-        } else {
-            sentence += fmt::format("{}, {}.", test_words(*comparison.test),
-                                    is_significant(comparison.test)
-                                        ? "the levels differ"
-                                        : "no significant difference between the levels");
-        }
+        sentence += sentence_of(comparison);
     }
     return sentence;
 }
@@ -206,6 +217,18 @@ ValidityResult test_validity(const Tally& tally) {
     return result;
 }
 
+std::vector<OrderStratum> order_strata(const Tally& tally) {
+    std::vector<OrderStratum> strata;
+    for (const ConditionVotes& condition : tally.conditions) {
+        OrderStratum& stratum = strata.emplace_back();
+        for (const Answer& answer : condition.answers) {
+            Votes& votes = answer.b_second ? stratum.b_second : stratum.b_first;
+            ++(answer.chose_b ? votes.b : votes.a);
+        }
+    }
+    return strata;
+}
+
 }  // namespace
 
 Analysis analyse(const Tally& tally) {
@@ -215,9 +238,11 @@ Analysis analyse(const Tally& tally) {
     analysis.sentence = sentence_of(analysis.conditions);
     analysis.hypotheses = test_hypotheses(analysis.conditions);
     analysis.validity = test_validity(tally);
+    analysis.scales = variant_scales(tally);
     if (tally.order.has_value()) {
         analysis.order_bias =
-            OrderBias{*tally.order, exact_binomial(tally.order->second_chosen, tally.order->n)};
+            OrderBias{*tally.order, exact_binomial(tally.order->second_chosen, tally.order->n),
+                      order_bias(order_strata(tally))};
     } else {
         analysis.order_bias = Possible<OrderBias>::none(tally.order.reason);
     }

@@ -56,6 +56,27 @@ void put_chi_square(Json& object, const Possible<ChiSquareTest>& test) {
     put_p(object, "p_value", test->p);
 }
 
+/// The posterior of the share of B with a flat prior, and the Bayes factor.
+void put_belief(Json& object, const Preference& preference) {
+    if (preference.posterior.has_value()) {
+        object["posterior_mean"] = preference.posterior->mean;
+        put_interval(object, "posterior", preference.posterior->interval);
+        put_p(object, "probability_b_preferred", preference.posterior->above_half);
+    } else {
+        for (const char* name :
+             {"posterior_mean", "posterior_low", "posterior_high", "probability_b_preferred"}) {
+            put_none(object, name, preference.posterior.reason);
+        }
+    }
+    if (preference.bayes_factor.has_value()) {
+        put(object, "bf10", preference.bayes_factor->bf10);
+        object["log10_bf10"] = preference.bayes_factor->log10_bf10;
+    } else {
+        put_none(object, "bf10", preference.bayes_factor.reason);
+        put_none(object, "log10_bf10", preference.bayes_factor.reason);
+    }
+}
+
 void put_preference(Json& object, const Preference& preference) {
     object["n"] = preference.votes.n();
     object["count_a"] = preference.votes.a;
@@ -66,6 +87,7 @@ void put_preference(Json& object, const Preference& preference) {
     put_interval(object, "wilson", preference.wilson);
     put_interval(object, "clopper_pearson", preference.clopper_pearson);
     put(object, "cohens_g", preference.cohens_g);
+    put_belief(object, preference);
 }
 
 Json condition_json(const ConditionResult& result) {
@@ -91,6 +113,34 @@ Json hypothesis_json(const HypothesisResult& result) {
     return object;
 }
 
+Json same_participants_json(const SameParticipants& same) {
+    Json object;
+    object["n"] = same.n;
+    object["incomplete"] = same.incomplete;
+    if (same.cochran_q.has_value()) {
+        object["cochran_q"] = same.cochran_q->statistic;
+        object["df"] = same.cochran_q->df;
+        put_p(object, "p_cochran", same.cochran_q->p);
+    } else {
+        for (const char* name : {"cochran_q", "df", "p_cochran"}) {
+            put_none(object, name, same.cochran_q.reason);
+        }
+    }
+    if (!same.mcnemar.has_value()) {
+        put_none(object, "mcnemar", same.mcnemar.reason);
+        return object;
+    }
+    Json& mcnemar = object["mcnemar"];
+    mcnemar["b_to_a"] = same.changed.a;
+    mcnemar["a_to_b"] = same.changed.b;
+    mcnemar["chi_square"] = same.mcnemar->uncorrected.statistic;
+    put_p(mcnemar, "p_value", same.mcnemar->uncorrected.p);
+    mcnemar["chi_square_corrected"] = same.mcnemar->corrected.statistic;
+    put_p(mcnemar, "p_corrected", same.mcnemar->corrected.p);
+    put_p(mcnemar, "p_exact", same.mcnemar->exact);
+    return object;
+}
+
 Json comparison_json(const Comparison& comparison) {
     Json object;
     object["variant_a"] = comparison.variant_a;
@@ -103,6 +153,14 @@ Json comparison_json(const Comparison& comparison) {
                                    {"count_b", comparison.votes[i].b}});
     }
     put_chi_square(object, comparison.test);
+    put_p(object, "p_fisher", comparison.fisher);
+    if (comparison.same_participants.has_value()) {
+        object["same_participants"] = same_participants_json(*comparison.same_participants);
+    } else {
+        put_none(object, "same_participants", comparison.same_participants.reason);
+    }
+    put_p(object, "p", p_of(comparison));
+    object["test"] = test_words(comparison);
     return object;
 }
 
@@ -128,7 +186,41 @@ void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
     entry["n"] = bias->votes.n;
     entry["second_chosen"] = bias->votes.second_chosen;
     put_p(entry, "p_exact", bias->exact);
+    if (bias->logistic.has_value()) {
+        const OrderBiasTest& test = *bias->logistic;
+        Json& logistic = entry["logistic"];
+        logistic["conditions"] = test.conditions;
+        logistic["order_term"] = test.order_term;
+        logistic["standard_error"] = test.standard_error;
+        logistic["second_share"] = test.second_share;
+        put_chi_square(logistic, test.likelihood_ratio);
+    } else {
+        put_none(entry, "logistic", bias->logistic.reason);
+    }
     object["order_bias"] = entry;
+}
+
+void put_scale(Json& object, const std::string& name, const std::vector<std::string>& variants,
+               const Possible<Scale>& scale) {
+    if (!scale.has_value()) {
+        put_none(object, name, scale.reason);
+        return;
+    }
+    object[name] = Json::array();
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        object[name].push_back({{"variant", variants[i]},
+                                {"value", scale->values[i]},
+                                {"standard_error", scale->standard_errors[i]}});
+    }
+}
+
+Json scale_json(const VariantScale& scale) {
+    Json object;
+    object["variants"] = scale.variants;
+    object["reference"] = scale.variants.front();
+    put_scale(object, "bradley_terry", scale.variants, scale.bradley_terry);
+    put_scale(object, "thurstone_jod", scale.variants, scale.thurstone);
+    return object;
 }
 
 }  // namespace
@@ -163,6 +255,8 @@ std::string json_report(const Analysis& analysis) {
     }
     add_validity(report["hypotheses"]["H3"], analysis.validity);
     put_order_bias(report, analysis.order_bias);
+    report["scales"] = Json::array();
+    for (const VariantScale& scale : analysis.scales) report["scales"].push_back(scale_json(scale));
     return report.dump(2) + '\n';
 }
 

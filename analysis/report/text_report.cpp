@@ -1,64 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <sstream>
+#include <cmath>
 
 #include "analysis/report/analysis.h"
+#include "analysis/report/text_layout.h"
 
 namespace obscura::analysis {
 namespace {
-
-using TextRow = std::vector<std::string>;
-
-/// Letters on screen: UTF-8 bytes that begin one.
-std::size_t width_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-    }));
-}
-
-/// Columns two blanks apart; the first `left` are set to the left, the others to the right.
-std::string aligned(const std::vector<TextRow>& rows, std::size_t left) {
-    std::vector<std::size_t> widths(rows.front().size());
-    for (const TextRow& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], width_of(row[i]));
-        }
-    }
-    std::string text;
-    for (const TextRow& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widths[i] - width_of(row[i]), ' ');
-            if (i > 0) line += "  ";
-            line += i < left ? row[i] + blanks : blanks + row[i];
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
-    }
-    return text;
-}
-
-/// Lines of at most 100 letters, broken at blanks and continued two blanks further in.
-std::string wrapped(const std::string& text) {
-    constexpr std::size_t kWidth = 100;
-    std::istringstream lines(text);
-    std::string result;
-    for (std::string line; std::getline(lines, line);) {
-        const std::string indent(line.find_first_not_of(' ') == 2 ? 4 : 2, ' ');
-        while (width_of(line) > kWidth) {
-            std::size_t end = line.rfind(' ', kWidth);
-            if (end == std::string::npos || end < indent.size()) break;
-            result += line.substr(0, end) + '\n';
-            line = indent + line.substr(end + 1);
-        }
-        result += line + '\n';
-    }
-    return result;
-}
 
 constexpr const char* kNoValue = "-";
 
@@ -127,13 +78,10 @@ std::string heading(const Tally& tally) {
 }
 
 std::string pair_row(const Comparison& pair) {
-    std::string text = fmt::format(
-        "  {} against {}: {} ({}) {}:{}, {} ({}) {}:{}: ", pair.variant_a, pair.variant_b,
-        pair.conditions[0], pair.levels[0], pair.votes[0].a, pair.votes[0].b, pair.conditions[1],
-        pair.levels[1], pair.votes[1].a, pair.votes[1].b);
-    if (!pair.test.has_value()) return text + fmt::format("no test, {}\n", pair.test.reason);
-    return text + fmt::format("chi-square {:.4g}, df {}, p {}\n", pair.test->statistic,
-                              pair.test->df, p_text(pair.test->p));
+    return fmt::format("  {} against {}: {} ({}) {}:{}, {} ({}) {}:{}: {}\n", pair.variant_a,
+                       pair.variant_b, pair.conditions[0], pair.levels[0], pair.votes[0].a,
+                       pair.votes[0].b, pair.conditions[1], pair.levels[1], pair.votes[1].a,
+                       pair.votes[1].b, test_words(pair));
 }
 
 std::string order_bias_line(const Analysis& analysis) {
@@ -141,9 +89,74 @@ std::string order_bias_line(const Analysis& analysis) {
         return fmt::format("Order bias: not tested, {}.\n", analysis.order_bias.reason);
     }
     const OrderBias& bias = *analysis.order_bias;
-    return fmt::format(
-        "Order bias: the image shown second was chosen {} of {} times, exact p {}.\n",
-        bias.votes.second_chosen, bias.votes.n, p_value(bias.exact));
+    std::string text =
+        fmt::format("Order bias: the image shown second was chosen {} of {} times, exact p {}.",
+                    bias.votes.second_chosen, bias.votes.n, p_value(bias.exact));
+    if (!bias.logistic.has_value()) {
+        return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
+    }
+    const OrderBiasTest& test = *bias.logistic;
+    return text +
+           fmt::format(
+               " Logistic regression over {} conditions: of two equally liked images the second is "
+               "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
+               "likelihood "
+               "ratio {:.4f}, df 1, p {}.\n",
+               test.conditions, 100.0 * test.second_share, test.order_term, test.standard_error,
+               test.likelihood_ratio.statistic, p_text(test.likelihood_ratio.p));
+}
+
+std::string bayes_factor_text(const Possible<BayesFactor>& factor) {
+    constexpr double kShownAsPower = 6.0;
+    if (!factor.has_value()) return kNoValue;
+    if (std::abs(factor->log10_bf10) > kShownAsPower) {
+        return fmt::format("10^{:.2f}", factor->log10_bf10);
+    }
+    return fmt::format("{:.4g}", *factor->bf10);
+}
+
+/// What to believe of each share after the votes.
+std::string belief_table(const Analysis& analysis) {
+    std::vector<TextRow> rows{
+        {"condition", "share B expected", "95 % credible", "P(B preferred)", "BF10"}};
+    for (const ConditionResult& result : analysis.conditions) {
+        const Possible<Posterior>& posterior = result.preference.posterior;
+        const bool known = posterior.has_value();
+        rows.push_back({result.condition.id,
+                        known ? fmt::format("{:.4f}", posterior->mean) : kNoValue,
+                        known ? interval(posterior->interval) : kNoValue,
+                        known ? p_text(posterior->above_half) : kNoValue,
+                        bayes_factor_text(result.preference.bayes_factor)});
+    }
+    return aligned(rows, 1);
+}
+
+/// The variants of one connected group, or why they have no scale.
+std::string scale_text(const VariantScale& scale) {
+    const std::string names = fmt::format("{}", fmt::join(scale.variants, ", "));
+    if (!scale.thurstone.has_value()) {
+        return wrapped(fmt::format("No scale of {}: {}.\n", names, scale.thurstone.reason));
+    }
+    std::vector<TextRow> rows{{"variant", "JOD", "standard error", "log odds", "standard error"}};
+    for (std::size_t i = 0; i < scale.variants.size(); ++i) {
+        const Possible<Scale>& odds = scale.bradley_terry;
+        rows.push_back(
+            {scale.variants[i], fmt::format("{:+.4f}", scale.thurstone->values[i]),
+             fmt::format("{:.4f}", scale.thurstone->standard_errors[i]),
+             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoValue,
+             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoValue});
+    }
+    return aligned(rows, 1);
+}
+
+std::string scales_text(const Analysis& analysis) {
+    if (analysis.scales.empty()) return "";
+    std::string text = wrapped(
+        "\nOne scale over the variants that pairs connect, all conditions together, against the "
+        "first. JOD: Thurstone's Case V, 1 JOD is chosen by 75 %. Log odds: Bradley-Terry. Both "
+        "take the votes as independent.\n");
+    for (const VariantScale& scale : analysis.scales) text += '\n' + scale_text(scale);
+    return text;
 }
 
 }  // namespace
@@ -161,6 +174,11 @@ std::string text_report(const Analysis& analysis) {
         "p exact: two-sided exact binomial test. p Holm: p after Holm's correction over all "
         "conditions.\n"
         "95 % interval: Wilson's, of the share of B. g: Cohen's g, share of B minus one half.\n\n";
+    text += wrapped(words) + belief_table(analysis) + '\n';
+    words =
+        "Expected, credible, P: of the share of B, when every share was thought equally likely "
+        "before (posterior with a flat prior). BF10: how many times likelier the votes are when "
+        "the share may be anything than when it is one half.\n\n";
     words += analysis.sentence + '\n';
     for (const HypothesisResult& hypothesis : analysis.hypotheses) {
         words += hypothesis.sentence + '\n';
@@ -168,9 +186,9 @@ std::string text_report(const Analysis& analysis) {
     words += "H3: " + analysis.validity.sentence + '\n';
     for (const Comparison& pair : analysis.validity.by_pair) words += pair_row(pair);
     words +=
-        "Votes that are pooled or compared here come from the same participants, which these "
-        "tests of counts take as independent.\n";
-    return text + wrapped(words + order_bias_line(analysis));
+        "Votes that are pooled or compared here come from the same participants, which tests of "
+        "counts take as independent; Cochran's and McNemar's do not.\n";
+    return text + wrapped(words + order_bias_line(analysis)) + scales_text(analysis);
 }
 
 }  // namespace obscura::analysis

@@ -3,74 +3,14 @@
 #include "analysis/statistics/exact_binomial.h"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "analysis/statistics/binomial.h"
 #include "renderer/base/check.h"
 
 namespace obscura::analysis {
 namespace {
-
-/// Probabilities below this have lost digits or vanished.
-constexpr double kSmallest = std::numeric_limits<double>::min() / 1e-16;
-
-/// A binomial distribution whose tails keep their size where doubles end.
-class Binomial {
-  public:
-    Binomial(std::int64_t n, double share)
-        : n_(n), share_(share), distribution_(static_cast<double>(n), share) {}
-
-    /// Natural logarithm of P(X = k).
-    [[nodiscard]] double log_pmf(std::int64_t k) const {
-        const double pmf = boost::math::pdf(distribution_, static_cast<double>(k));
-        if (pmf > kSmallest) return std::log(pmf);
-        const double n = static_cast<double>(n_);
-        const double x = static_cast<double>(k);
-        using boost::math::lgamma;
-        return lgamma(n + 1.0) - lgamma(x + 1.0) - lgamma(n - x + 1.0) + x * std::log(share_) +
-               (n - x) * std::log1p(-share_);
-    }
-
-    /// P(X <= k) and its natural logarithm; nothing below 0.
-    [[nodiscard]] std::pair<double, double> lower(std::int64_t k) const {
-        if (k < 0) return {0.0, -std::numeric_limits<double>::infinity()};
-        const double p = boost::math::cdf(distribution_, static_cast<double>(std::min(k, n_)));
-        if (p > kSmallest) return {p, std::log(p)};
-        // P(X = k - 1) / P(X = k) = k (1 - share) / ((n - k + 1) share): far out a falling series.
-        return {p, log_pmf(k) + log_of_series(static_cast<double>(k), static_cast<double>(n_ - k),
-                                              (1.0 - share_) / share_)};
-    }
-
-    /// P(X >= k) and its natural logarithm; nothing above n.
-    [[nodiscard]] std::pair<double, double> upper(std::int64_t k) const {
-        if (k > n_) return {0.0, -std::numeric_limits<double>::infinity()};
-        if (k <= 0) return {1.0, 0.0};
-        const double p =
-            boost::math::cdf(boost::math::complement(distribution_, static_cast<double>(k - 1)));
-        if (p > kSmallest) return {p, std::log(p)};
-        return {p, log_pmf(k) + log_of_series(static_cast<double>(n_ - k), static_cast<double>(k),
-                                              share_ / (1.0 - share_))};
-    }
-
-  private:
-    /// log(1 + r_1 + r_1 r_2 + ...), r_i = (left - i + 1) / (right + i) odds.
-    static double log_of_series(double left, double right, double odds) {
-        double sum = 1.0;
-        double term = 1.0;
-        for (double i = 1.0; i <= left && term > sum * 1e-17; ++i) {
-            term *= (left - i + 1.0) / (right + i) * odds;
-            sum += term;
-        }
-        return std::log(sum);
-    }
-
-    std::int64_t n_;
-    double share_;
-    boost::math::binomial distribution_;
-};
 
 /// First k in low .. high for which `holds`, which changes once from false to true; high + 1 when
 /// it never does.
@@ -89,7 +29,7 @@ std::int64_t first_that(std::int64_t low, std::int64_t high, Predicate holds) {
 
 PValue sum_of(std::pair<double, double> one, std::pair<double, double> other) {
     const double p = std::min(1.0, one.first + other.first);
-    if (p > kSmallest) return {p, std::log10(p)};
+    if (p > kSmallestProbability) return {p, std::log10(p)};
     const double larger = std::max(one.second, other.second);
     const double smaller = std::min(one.second, other.second);
     return {p, (larger + std::log1p(std::exp(smaller - larger))) / std::numbers::ln10};

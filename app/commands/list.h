@@ -15,6 +15,7 @@ Command run_command();
 Command check_command();
 Command export_command();
 Command plan_command();
+Command power_command();
 Command render_command();
 
 /// All commands, in the order of the help.

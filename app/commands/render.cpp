@@ -6,6 +6,9 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "renderer/base/log.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/technique/technique.h"
 #include "stimuli/generate.h"
 
 namespace obscura::app {
@@ -33,13 +36,14 @@ void parse_shard(const std::string& text, stimuli::Selection& selection) {
 
 base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
                       const std::filesystem::path& folder, bool quiet) {
-    const auto problems = stimuli::verify(study, options.selection, folder, quiet);
-    for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
-    if (!problems.empty()) {
-        throw base::check_failed("{} of the images in {} do not hold", problems.size(),
-                                 folder.string());
+    const stimuli::Verified verified = stimuli::verify(study, options.selection, folder, quiet);
+    for (const std::string& problem : verified.problems) fmt::print(stderr, "{}\n", problem);
+    if (!verified.problems.empty()) {
+        throw base::check_failed("{} of {} images in {} do not hold", verified.problems.size(),
+                                 verified.checked, folder.string());
     }
-    fmt::print("every image in {} is what this program renders\n", folder.string());
+    spdlog::info("{}: {} images checked, each is what this program renders", folder.string(),
+                 verified.checked);
     return base::ExitCode::kDone;
 }
 
@@ -56,9 +60,39 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     if (options.verify) return verify(study, options, folder, globals.quiet);
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
-    fmt::print("{}: {} images made, {} kept; {}\n", folder.string(), generated.made, generated.kept,
-               generated.complete ? "the study is complete" : "the study is not complete yet");
+    spdlog::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
+                 generated.kept,
+                 generated.complete ? "the study is complete" : "the study is not complete yet");
     return base::ExitCode::kDone;
+}
+
+/// The techniques and filters a study file may name, from their descriptors.
+std::string variants_help() {
+    std::string text =
+        "A variant in a study file: { technique = NAME, samples = N, PARAMETER = "
+        "NUMBER, denoise = FILTER }\n";
+    for (const renderer::Technique& technique : renderer::techniques()) {
+        text += fmt::format("  {} ({})\n", technique.name, technique.citation);
+        if (technique.samples.high > 0) {
+            text +=
+                fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
+                            technique.samples.high, technique.samples.standard,
+                            technique.samples.multiple_of > 1
+                                ? fmt::format(", multiples of {}", technique.samples.multiple_of)
+                                : "");
+        }
+        for (const renderer::Parameter& parameter : technique.parameters) {
+            text +=
+                fmt::format("    {}: {}; {} to {}{}{}, default {}\n", parameter.name,
+                            parameter.meaning, parameter.low, parameter.high,
+                            parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
+        }
+    }
+    text += "Filters:\n";
+    for (const renderer::Denoise& denoise : renderer::denoise_filters()) {
+        text += fmt::format("  {} ({})\n", denoise.name, denoise.citation);
+    }
+    return text;
 }
 
 }  // namespace
@@ -82,6 +116,7 @@ Command render_command() {
                          "Render in memory, write nothing, and print each image's passes (ms), "
                          "buffers (bytes) and what was left out")
                 ->excludes(verify_flag);
+            app.footer(variants_help());
             return [options, &globals] { return render(*options, globals); };
         }};
 }

@@ -87,9 +87,11 @@ std::string read_file(const fs::path& path) {
     }
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw bad_input("cannot read {}: {}", path.string(), std::strerror(errno));
-    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad()) throw bad_input("cannot read {}: {}", path.string(), std::strerror(errno));
-    return bytes;
+    try {
+        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    } catch (const std::ios_base::failure&) {
+        throw bad_input("cannot read {}: {}", path.string(), std::strerror(errno));
+    }
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {

@@ -35,8 +35,8 @@ enum class Pass {
     kAccessibility,
     kDenoise,
     kLight,
-    kSky,
     kComposite,
+    kSky,
     kToneMap,
 };
 

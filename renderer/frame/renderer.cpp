@@ -23,6 +23,18 @@ gl::Texture vector_texture(const std::vector<glm::vec3>& values, int width, int 
     return texture;
 }
 
+/// Whatever shares the context (the kiosk's window) may have left other settings.
+void set_known_state() {
+    for (const GLenum capability : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER,
+                                    GL_CULL_FACE, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL}) {
+        glDisable(capability);
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glDepthRange(0.0, 1.0);
+}
+
 }  // namespace
 
 Renderer::Renderer()
@@ -118,6 +130,7 @@ Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Ca
         {Pass::kComposite, &Renderer::run_composite},
         {Pass::kToneMap, &Renderer::run_tone_map},
     };
+    set_known_state();
     glFinish();
     for (const PlannedPass& planned : plan.passes) {
         const auto start = std::chrono::steady_clock::now();

@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <string_view>
+#include <vector>
 
 #include "renderer/base/error.h"
 
@@ -16,12 +17,17 @@ constexpr std::string_view kRemedy =
     "An OpenGL 4.5 driver with EGL is needed: install libegl-mesa0 and libgl1-mesa-dri for Mesa "
     "(its software renderer needs no graphics card), or the vendor's driver with its EGL library";
 
-/// A display that needs no window system. Mesa's surfaceless platform first, then the first device
-/// (NVIDIA's driver has no surfaceless platform), then the default.
-EGLDisplay open_display() {
+/// A display and a context on it.
+struct Made {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+/// Every display that needs no window system, best first: the devices (a graphics card's driver,
+/// then Mesa's software renderer), Mesa's surfaceless platform, whatever EGL takes for its default.
+std::vector<EGLDisplay> displays() {
+    std::vector<EGLDisplay> list;
     const bool has_client_extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS) != nullptr;
-    EGLint major = 0;
-    EGLint minor = 0;
     if (has_client_extensions &&
         epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&
         epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
@@ -29,35 +35,31 @@ EGLDisplay open_display() {
         EGLint count = 0;
         if (eglQueryDevicesEXT(16, devices, &count) == EGL_TRUE) {
             for (EGLint i = 0; i < count; ++i) {
-                EGLDisplay display =
-                    eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
-                if (display != EGL_NO_DISPLAY && eglInitialize(display, &major, &minor)) {
-                    return display;
-                }
+                list.push_back(
+                    eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
             }
         }
     }
     if (has_client_extensions &&
         epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-        EGLDisplay display =
-            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (display != EGL_NO_DISPLAY && eglInitialize(display, &major, &minor)) return display;
+        list.push_back(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
-    EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, &major, &minor)) return display;
-    throw base::failure("no EGL display could be opened (EGL error 0x{:x}). {}", eglGetError(),
-                        kRemedy);
+    list.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    return list;
 }
 
-}  // namespace
-
-HeadlessContext::HeadlessContext() {
-    EGLDisplay display = open_display();
-    display_ = display;
-    if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-        throw base::failure("EGL offers no desktop OpenGL (error 0x{:x}). {}", eglGetError(),
-                            kRemedy);
+/// A current OpenGL 4.5 core context on that display; where there is none, `why` says so.
+Made make_on(EGLDisplay display, std::string& why) {
+    if (display == EGL_NO_DISPLAY) return {};
+    EGLint major = 0;
+    EGLint minor = 0;
+    if (eglInitialize(display, &major, &minor) != EGL_TRUE) {
+        why += fmt::format("; a display could not be opened (EGL error 0x{:x})", eglGetError());
+        return {};
     }
+    const char* vendor = eglQueryString(display, EGL_VENDOR);
+    const std::string name = vendor != nullptr ? vendor : "unknown";
     constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                   EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = EGL_NO_CONFIG_KHR;
@@ -72,26 +74,34 @@ HeadlessContext::HeadlessContext() {
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                    EGL_NONE};
-    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, kContext);
-    if (context == EGL_NO_CONTEXT) {
-        const EGLint reason = eglGetError();
-        const char* vendor = eglQueryString(display, EGL_VENDOR);
-        const std::string name = vendor != nullptr ? vendor : "unknown";
-        eglTerminate(display);
-        throw base::failure(
-            "the EGL driver \"{}\" could not make an OpenGL 4.5 core context (error 0x{:x}). {}",
-            name, reason, kRemedy);
+    EGLContext context = EGL_NO_CONTEXT;
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_TRUE) {
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, kContext);
     }
-    context_ = context;
-    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
-        const EGLint reason = eglGetError();
-        eglDestroyContext(display, context);
-        eglTerminate(display);
-        throw base::failure(
-            "the OpenGL context could not be used without a window (error 0x{:x}). "
-            "{}",
-            reason, kRemedy);
+    if (context != EGL_NO_CONTEXT &&
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
+        return {display, context};
     }
+    why +=
+        fmt::format("; the driver \"{}\" made no context (EGL error 0x{:x})", name, eglGetError());
+    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    eglTerminate(display);
+    return {};
+}
+
+}  // namespace
+
+HeadlessContext::HeadlessContext() {
+    std::string why;
+    for (EGLDisplay display : displays()) {
+        const Made made = make_on(display, why);
+        if (made.context == EGL_NO_CONTEXT) continue;
+        display_ = made.display;
+        context_ = made.context;
+        return;
+    }
+    throw base::failure("no OpenGL 4.5 core context could be made without a window{}. {}", why,
+                        kRemedy);
 }
 
 HeadlessContext::~HeadlessContext() {

@@ -16,7 +16,7 @@ namespace obscura::renderer::gl {
 namespace {
 
 std::string read_shader(const std::string& path) {
-    if (const char* folder = std::getenv("OBSCURA_SHADERS"); folder != nullptr) {
+    if (const std::string folder = shader_folder(); !folder.empty()) {
         return base::read_file(std::filesystem::path(folder) / path);
     }
     const std::string_view text = shaders::embedded(path);
@@ -29,11 +29,17 @@ std::string read_shader(const std::string& path) {
 void expand(const std::string& path, std::set<std::string>& seen, std::string& out) {
     if (!seen.insert(path).second) return;
     std::istringstream lines(read_shader(path));
+    // The driver names lines by number of file and line; the first file is 1.
+    const std::size_t file = seen.size();
+    int number = 0;
+    out += fmt::format("#line 1 {}\n", file);
     for (std::string line; std::getline(lines, line);) {
+        ++number;
         constexpr std::string_view kInclude = "#include \"";
         if (line.starts_with(kInclude)) {
             const std::size_t end = line.find('"', kInclude.size());
             expand(line.substr(kInclude.size(), end - kInclude.size()), seen, out);
+            out += fmt::format("#line {} {}\n", number + 1, file);
         } else {
             out += line + '\n';
         }
@@ -59,6 +65,11 @@ Shader compile(GLenum stage, const std::string& path, const std::vector<std::str
 }
 
 }  // namespace
+
+std::string shader_folder() {
+    const char* folder = std::getenv("OBSCURA_SHADERS");
+    return folder != nullptr ? folder : "";
+}
 
 std::string shader_source(const std::string& path) {
     std::set<std::string> seen;

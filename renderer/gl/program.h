@@ -40,6 +40,9 @@ class Program {
     std::unordered_map<std::string, GLint> locations_;
 };
 
+/// The folder in OBSCURA_SHADERS, from which shaders are read; empty where it is unset or empty.
+[[nodiscard]] std::string shader_folder();
+
 /// The text of a shader file with its includes in place. Throws failure naming what is missing.
 [[nodiscard]] std::string shader_source(const std::string& path);
 

@@ -11,7 +11,9 @@ layout(location = 4) in vec4 a_color;
 uniform mat4 u_view;        // view from world
 uniform mat4 u_projection;  // clip from view
 
-out vec3 v_view_position;
+// The two images of a pair may use different variants of this shader; their pixels must agree.
+invariant gl_Position;
+invariant out vec3 v_view_position;
 out vec4 v_color;
 #ifdef NORMAL
 out vec3 v_normal;

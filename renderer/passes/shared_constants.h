@@ -11,7 +11,5 @@ const float kBackgroundDepth_m = 1.0e18;
 const float kBackgroundLimit_m = 1.0e17;
 // Rotations repeat over this many pixels in both directions.
 const int kTileSize = 4;
-// Most directional lights in a scene.
-const int kMaxLights = 4;
 
 #endif

@@ -123,5 +123,60 @@ TEST_F(CommandsTest, ExportWritesFilesAndRefusesUnknownFormats) {
     EXPECT_EQ(run(export_command(), {"--out", to, "--force"}).code, ExitCode::kDone);
 }
 
+TEST_F(CommandsTest, AnalyzeOfExportedTrialsGivesTheStoresStatistics) {
+    add_session(analysis::Kind::kParticipant);
+    add_session(analysis::Kind::kParticipant);
+    add_session(analysis::Kind::kSimulated);
+    const std::string to = (folder / "export").string();
+    ASSERT_EQ(run(export_command(), {"--out", to}).code, ExitCode::kDone);
+    const auto without_source = [](const Ending& ending) {
+        auto report = nlohmann::json::parse(ending.out);
+        report.erase("source");
+        return report;
+    };
+    for (const char* kind : {"participant", "simulated"}) {
+        EXPECT_EQ(without_source(run(analyze_command(),
+                                     {"--trials", to + "/trials.csv", "--kind", kind, "--json"})),
+                  without_source(run(analyze_command(), {"--kind", kind, "--json"})));
+    }
+    EXPECT_EQ(run(analyze_command(), {"--trials", to + "/sessions.csv"}).code, ExitCode::kBadInput);
+    EXPECT_EQ(run(analyze_command(), {"--trials", to + "/trials.csv", "--counts", kPublished}).code,
+              ExitCode::kBadInput);
+}
+
+TEST_F(CommandsTest, PowerSaysWhatIsNeededAndWhatANumberAchieves) {
+    const Ending table =
+        run(power_command(), {"--share", ".65", "--participants", "36", "--conditions", "7"});
+    EXPECT_EQ(table.code, ExitCode::kDone) << table.message;
+    EXPECT_THAT(table.out, AllOf(HasSubstr("97"), HasSubstr("0.065245"), HasSubstr("Holm")));
+    const Ending json =
+        run(power_command(), {"--share", ".6", ".75", "--curve", "35:36", "--json"});
+    const auto report = nlohmann::json::parse(json.out);
+    EXPECT_EQ(report["needed"][0]["exact"], 210);
+    EXPECT_EQ(report["needed"][1]["exact"], 35);
+    EXPECT_EQ(report["curve"].size(), 4U);
+    EXPECT_EQ(report["curve"][3]["n"], 36);
+    EXPECT_EQ(report["curve"][3]["share"], .75);
+}
+
+TEST_F(CommandsTest, PowerRefusesWhatCannotBe) {
+    for (const auto& arguments : std::vector<std::vector<std::string>>{{"--share", "0.5"},
+                                                                       {"--share", "1"},
+                                                                       {"--level", "0"},
+                                                                       {"--power", "nan"},
+                                                                       {"--conditions", "0"},
+                                                                       {"--participants", "0"},
+                                                                       {"--participants", "many"},
+                                                                       {"--curve", "5"},
+                                                                       {"--curve", "9:5"},
+                                                                       {"--curve", "1:9:0"},
+                                                                       {"--curve", "1:9:1x"},
+                                                                       {"--curve", "1:99999"}}) {
+        const Ending ending = run(power_command(), arguments);
+        EXPECT_EQ(ending.code, ExitCode::kBadInput) << testing::PrintToString(arguments);
+        EXPECT_FALSE(ending.message.empty());
+    }
+}
+
 }  // namespace
 }  // namespace obscura::app

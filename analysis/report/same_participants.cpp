@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/report/same_participants.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "analysis/statistics/cochran_q.h"
+
+namespace obscura::analysis {
+namespace {
+
+using Conditions = std::vector<const ConditionVotes*>;
+
+/// A participant's answer to each of the conditions, in their order; nothing: did not answer.
+using Row = std::vector<std::optional<bool>>;
+
+/// Why the conditions cannot be compared within participants; empty where they can.
+std::string obstacle(const Conditions& conditions) {
+    std::set<std::string> levels;
+    for (const ConditionVotes* condition : conditions) {
+        if (condition->answers.empty()) return "the answers of each participant are not known";
+        if (!levels.insert(condition->validity).second) {
+            return fmt::format("more than one condition is at level {}", condition->validity);
+        }
+    }
+    return "";
+}
+
+Possible<std::map<std::int32_t, Row>> rows_of(const Conditions& conditions) {
+    using Rows = std::map<std::int32_t, Row>;
+    Rows rows;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        for (const Answer& answer : conditions[i]->answers) {
+            Row& row = rows[answer.participant];
+            row.resize(conditions.size());
+            if (row[i].has_value()) {
+                return Possible<Rows>::none(fmt::format(
+                    "a participant answered condition {} more than once", conditions[i]->id));
+            }
+            row[i] = answer.chose_b;
+        }
+    }
+    return rows;
+}
+
+bool is_complete(const Row& row) {
+    for (const auto& answer : row) {
+        if (!answer.has_value()) return false;
+    }
+    return true;
+}
+
+std::string who(const SameParticipants& same) {
+    std::string text = fmt::format("on the same {} participants", same.n);
+    if (same.incomplete > 0) {
+        text += fmt::format(" ({} who did not answer all left out)", same.incomplete);
+    }
+    return text;
+}
+
+std::string mcnemar_words(const SameParticipants& same) {
+    const McNemarTest& test = *same.mcnemar;
+    const std::string changes =
+        fmt::format("{} changed from B to A, {} from A to B", same.changed.a, same.changed.b);
+    if (test.is_exact_better()) {
+        return fmt::format("McNemar's exact test {}, {}, p {}", who(same), changes,
+                           p_text(test.exact));
+    }
+    return fmt::format(
+        "McNemar's test {}, {}, chi-square {:.4g}, df 1, p {} (with continuity correction {:.4g}, "
+        "p {})",
+        who(same), changes, test.uncorrected.statistic, p_text(test.uncorrected.p),
+        test.corrected.statistic, p_text(test.corrected.p));
+}
+
+std::string counts_words(const Comparison& comparison) {
+    if (!comparison.test.has_value()) return fmt::format("no test, {}", comparison.test.reason);
+    std::string text = fmt::format("chi-square {:.4g}, df {}, p {}", comparison.test->statistic,
+                                   comparison.test->df, p_text(comparison.test->p));
+    if (comparison.fisher.has_value()) {
+        text += fmt::format(", Fisher's exact p {}", p_text(*comparison.fisher));
+    }
+    return text + fmt::format(" (from counts alone: {})", comparison.same_participants.reason);
+}
+
+}  // namespace
+
+Possible<SameParticipants> same_participants(const Conditions& conditions) {
+    using None = Possible<SameParticipants>;
+    if (const std::string why = obstacle(conditions); !why.empty()) return None::none(why);
+    const auto rows = rows_of(conditions);
+    if (!rows.has_value()) return None::none(rows.reason);
+    SameParticipants same;
+    std::vector<std::vector<bool>> complete;
+    for (const auto& [participant, row] : *rows) {
+        if (!is_complete(row)) {
+            ++same.incomplete;
+            continue;
+        }
+        std::vector<bool>& answers = complete.emplace_back();
+        for (const auto& answer : row) answers.push_back(*answer);
+    }
+    if (complete.empty()) return None::none("no participant answered all of the conditions");
+    same.n = static_cast<std::int64_t>(complete.size());
+    same.cochran_q = cochran_q(complete);
+    if (conditions.size() == 2) {
+        for (const std::vector<bool>& answers : complete) {
+            if (answers[0] && !answers[1]) ++same.changed.a;
+            if (!answers[0] && answers[1]) ++same.changed.b;
+        }
+        same.mcnemar = mcnemar(same.changed);
+    }
+    return same;
+}
+
+Possible<PValue> p_of(const Comparison& comparison) {
+    if (!comparison.same_participants.has_value()) {
+        if (!comparison.test.has_value()) return Possible<PValue>::none(comparison.test.reason);
+        return comparison.test->p;
+    }
+    const SameParticipants& same = *comparison.same_participants;
+    if (comparison.votes.size() == 2) {
+        if (!same.mcnemar.has_value()) return Possible<PValue>::none(same.mcnemar.reason);
+        return same.mcnemar->p();
+    }
+    if (!same.cochran_q.has_value()) return Possible<PValue>::none(same.cochran_q.reason);
+    return same.cochran_q->p;
+}
+
+std::string test_words(const Comparison& comparison) {
+    if (!comparison.same_participants.has_value()) return counts_words(comparison);
+    const SameParticipants& same = *comparison.same_participants;
+    const Possible<PValue> p = p_of(comparison);
+    if (!p.has_value()) return fmt::format("no test {}, {}", who(same), p.reason);
+    if (comparison.votes.size() == 2) return mcnemar_words(same);
+    return fmt::format("Cochran's Q {}, Q {:.4g}, df {}, p {}", who(same),
+                       same.cochran_q->statistic, same.cochran_q->df, p_text(same.cochran_q->p));
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/published_votes.h"
+#include "analysis/report/analysis.h"
+#include "tests/analysis/records_for_test.h"
+
+namespace obscura::analysis {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// One completed session for each row; row[i] is whether B was chosen in condition i, which is
+/// Crytek24 against Blizzard24 at low, moderate or high validity. B is shown second in every other
+/// session.
+struct Study {
+    std::vector<SessionRecord> sessions;
+    std::vector<TrialRecord> trials;
+
+    void add(const std::vector<bool>& row) {
+        constexpr std::array<const char*, 3> levels{"low", "moderate", "high"};
+        const int number = static_cast<int>(sessions.size());
+        sessions.push_back(test::a_session(number));
+        sessions.back().state = SessionState::kCompleted;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            TrialRecord& trial = trials.emplace_back(test::a_trial(number, static_cast<int>(i)));
+            trial.condition_A = "Crytek24";
+            trial.validity = levels.at(i);
+            trial.first_shown = number % 2 == 0 ? 'A' : 'B';
+            trial.is_A_selected = !row[i];
+            trial.response_first = trial.is_A_selected == (trial.first_shown == 'A');
+        }
+    }
+    [[nodiscard]] Analysis analysed() const {
+        return analyse(tally_trials("s", sessions, trials, "", Kind::kParticipant));
+    }
+};
+
+Study nine_participants() {
+    Study study;
+    for (const std::vector<bool>& row : std::vector<std::vector<bool>>{{1, 0, 1},
+                                                                       {0, 1, 1},
+                                                                       {1, 1, 1},
+                                                                       {0, 1, 0},
+                                                                       {0, 1, 0},
+                                                                       {1, 0, 1},
+                                                                       {0, 1, 0},
+                                                                       {1, 1, 1},
+                                                                       {0, 1, 0}}) {
+        study.add(row);
+    }
+    return study;
+}
+
+TEST(H3, OfTheSameParticipantsIsCochransQAndMcNemar) {
+    const Analysis analysis = nine_participants().analysed();
+    const json h3 = json::parse(json_report(analysis))["hypotheses"]["H3"];
+    const json& levels = h3["comparisons"][0];
+    // Columns 4, 7, 5; rows with one or two yes: 7, so that Q = 3 * 2 * (14/3) / 14 = 2.
+    EXPECT_NEAR(levels["same_participants"]["cochran_q"].get<double>(), 2.0, 1e-12);
+    EXPECT_EQ(levels["same_participants"]["n"], 9);
+    EXPECT_NEAR(levels["p"].get<double>(), std::exp(-1.0), 1e-12) << "chi-square tail, df 2";
+    EXPECT_EQ(levels["df"], 2) << "the counts-only test stays beside it";
+    const json& low_moderate = h3["pairs"][0];
+    EXPECT_EQ(low_moderate["same_participants"]["mcnemar"]["b_to_a"], 2);
+    EXPECT_EQ(low_moderate["same_participants"]["mcnemar"]["a_to_b"], 5);
+    EXPECT_NEAR(low_moderate["p"].get<double>(), 2.0 * 29.0 / 128.0, 1e-12);
+    EXPECT_EQ(test_words(analysis.validity.by_level.at(0)),
+              "Cochran's Q on the same 9 participants, Q 2, df 2, p 0.367879");
+    EXPECT_THAT(text_report(analysis), HasSubstr("McNemar's exact test on the same 9"));
+}
+
+TEST(H3, LeavesOutParticipantsWhoDidNotAnswerAll) {
+    Study study = nine_participants();
+    study.add({1, 0});
+    const Analysis analysis = study.analysed();
+    const auto& same = analysis.validity.by_level.at(0).same_participants;
+    EXPECT_EQ(same->n, 9);
+    EXPECT_EQ(same->incomplete, 1);
+    EXPECT_NEAR(same->cochran_q->statistic, 2.0, 1e-12);
+    EXPECT_EQ(analysis.validity.by_pair.at(0).same_participants->n, 10);
+    EXPECT_THAT(test_words(analysis.validity.by_level.at(0)), HasSubstr("1 who did not answer"));
+}
+
+TEST(H3, IsFromCountsWhereParticipantsRepeatedAConditionOrAreNotKnown) {
+    Study study = nine_participants();
+    study.sessions.push_back(study.sessions.front());
+    study.sessions.back().session_id = "again";
+    study.trials.push_back(study.trials.front());
+    study.trials.back().session_id = "again";
+    const std::string words = test_words(study.analysed().validity.by_level.at(0));
+    EXPECT_THAT(words, AllOf(HasSubstr("from counts alone"),
+                             HasSubstr("answered condition C0 more than once")));
+    const Analysis published = analyse(published_votes());
+    EXPECT_THAT(text_report(published), AllOf(HasSubstr("chi-square 3.692, df 2, p 0.157894"),
+                                              HasSubstr("Fisher's exact p 0.148839")));
+    EXPECT_THAT(test_words(published.validity.by_level.at(0)),
+                HasSubstr("the answers of each participant are not known"));
+}
+
+TEST(H3, HasNoTestWhereNobodyChangedTheAnswer) {
+    Study study;
+    for (int i = 0; i < 5; ++i) study.add({i < 3, i < 3, i < 3});
+    const Comparison comparison = study.analysed().validity.by_level.at(0);
+    EXPECT_FALSE(p_of(comparison).has_value());
+    EXPECT_EQ(test_words(comparison),
+              "no test on the same 5 participants, every participant answered alike under all "
+              "conditions");
+}
+
+TEST(OrderBiasReport, HasTheLogisticRegressionBesideTheExactTest) {
+    const json bias = json::parse(json_report(nine_participants().analysed()))["order_bias"];
+    EXPECT_EQ(bias["n"], 27);
+    EXPECT_EQ(bias["logistic"]["conditions"], 3);
+    EXPECT_GT(bias["logistic"]["standard_error"].get<double>(), 0.0);
+    EXPECT_EQ(bias["logistic"]["df"], 1);
+}
+
+TEST(ScalesReport, GivesOneScaleForEachGroupThatPairsConnect) {
+    const json report = json::parse(json_report(analyse(published_votes())));
+    ASSERT_EQ(report["scales"].size(), 2U);
+    EXPECT_EQ(report["scales"][0]["variants"], json({"None", "Crytek24", "Blizzard24"}));
+    EXPECT_EQ(report["scales"][0]["bradley_terry"][0]["value"], 0.0);
+    // A tree of pairs has closed forms: log(62/46), and log(62/46) - log(61/47).
+    EXPECT_NEAR(report["scales"][0]["bradley_terry"][2]["value"].get<double>(),
+                std::log(62.0 / 46.0), 1e-9);
+    EXPECT_NEAR(report["scales"][0]["bradley_terry"][1]["value"].get<double>(),
+                std::log(62.0 / 46.0) - std::log(61.0 / 47.0), 1e-9);
+    EXPECT_EQ(report["scales"][1]["variants"], json({"Blizzard8", "RayMarching30"}));
+    EXPECT_NEAR(report["scales"][1]["bradley_terry"][1]["standard_error"].get<double>(),
+                std::sqrt(1.0 / 16.0 + 1.0 / 20.0), 1e-9);
+    EXPECT_NEAR(report["conditions"][2]["bf10"].get<double>(), 3.091323, 1e-6);
+    EXPECT_NEAR(report["conditions"][1]["probability_b_preferred"].get<double>(), .906129, 1e-6);
+}
+
+}  // namespace
+}  // namespace obscura::analysis
