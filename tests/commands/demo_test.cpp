@@ -22,6 +22,7 @@ question = "Which?"
 instructions = "Look."
 resolution = [64, 48]
 order = "fixed"
+seed = 7
 [[scene]]
 id = "stone"
 source = "relic"
