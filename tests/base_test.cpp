@@ -43,7 +43,7 @@ TEST(Random, DrawsBelowAreUniform) {
 
 TEST(Files, AnUnfinishedWriteLeavesTheOldFileAndNothingElse) {
     namespace fs = std::filesystem;
-    const test::TemporaryFolder temporary;
+    const tests::TemporaryFolder temporary;
     const fs::path& folder = temporary.path();
     write_file_atomically(folder / "a.txt", "old");
     fs::create_directory(folder / "b.txt");  // a rename onto a folder fails

@@ -1,13 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <numbers>
 
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/gl/context.h"
 #include "renderer/light/environment.h"
 #include "renderer/light/shadow.h"
+#include "tests/temporary_folder.h"
 #include "tests/test_scenes.h"
 
 namespace obscura::renderer {
@@ -22,6 +28,44 @@ TEST(Environment, ALookUpFindsTheTexelThatTheDirectionCameFrom) {
                 environment.look_up(direction_of_texel(environment, column, row));
             EXPECT_EQ(found.x, static_cast<float>(16 * row + column));
         }
+    }
+}
+
+/// Writes the image under that name, in the format that its ending asks for.
+void write_image(const std::filesystem::path& file, int width, int height,
+                 const std::vector<glm::vec3>& pixels) {
+    const auto output = OIIO::ImageOutput::create(file.string());
+    ASSERT_TRUE(output && output->open(file.string(), {width, height, 3, OIIO::TypeDesc::FLOAT}));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+    ASSERT_TRUE(output->close());
+}
+
+TEST(Environment, AnEquirectangularImageIsReadAsItIs) {
+    const tests::TemporaryFolder folder;
+    std::vector<glm::vec3> pixels(32 * 16, glm::vec3(0.5F, 1.0F, 2.0F));
+    pixels[0] = {4.0F, 0.25F, 0.0F};
+    for (const char* name : {"sky.hdr", "sky.exr"}) {
+        write_image(folder.path() / name, 32, 16, pixels);
+        const Environment read = load_environment(folder.path() / name);
+        EXPECT_EQ(read.width, 32);
+        EXPECT_EQ(read.height, 16);
+        EXPECT_EQ(read.radiance, pixels) << name;  // powers of two: exact in both formats
+    }
+}
+
+TEST(Environment, WhatIsNoEnvironmentIsRefusedWithItsName) {
+    const tests::TemporaryFolder folder;
+    base::write_file_atomically(folder.path() / "text.hdr", "no image");
+    EXPECT_THROW((void)load_environment(folder.path() / "text.hdr"), base::Error);
+    EXPECT_THROW((void)load_environment(folder.path() / "missing.exr"), base::Error);
+    std::vector<glm::vec3> pixels(4 * 2, glm::vec3(std::nanf("")));
+    write_image(folder.path() / "nan.exr", 4, 2, pixels);
+    try {
+        (void)load_environment(folder.path() / "nan.exr");
+        FAIL() << "accepted";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
+        EXPECT_NE(std::string(error.what()).find("nan.exr"), std::string::npos);
     }
 }
 

@@ -78,7 +78,7 @@ class Stimuli : public testing::Test {
         return problems_of_stimuli(study_, folder_);
     }
 
-    test::TemporaryFolder temporary_;
+    tests::TemporaryFolder temporary_;
     fs::path folder_ = temporary_.path();
     Study study_;
     Manifest manifest_;

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace obscura::test {
+namespace obscura::tests {
 
 /// A folder of its own, removed with everything in it.
 class TemporaryFolder {
@@ -37,4 +37,4 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-}  // namespace obscura::test
+}  // namespace obscura::tests

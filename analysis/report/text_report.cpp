@@ -68,8 +68,12 @@ std::string heading(const Tally& tally) {
     }
     const char* who = tally.kind == Kind::kSimulated ? "simulated observers" : "participants";
     if (tally.n_participants.has_value()) {
-        text += fmt::format("{} {}, {} conditions\n", *tally.n_participants, who,
-                            tally.conditions.size());
+        const std::string_view all_of_them = who;
+        text +=
+            fmt::format("{} {}, {} conditions\n", *tally.n_participants,
+                        *tally.n_participants == 1 ? all_of_them.substr(0, all_of_them.size() - 1)
+                                                   : all_of_them,
+                        tally.conditions.size());
     } else {
         text += fmt::format("Number of {} not known ({}), {} conditions\n", who,
                             tally.n_participants.reason, tally.conditions.size());

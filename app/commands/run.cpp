@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "app/kiosk/kiosk.h"
 #include "stimuli/manifest.h"
@@ -18,11 +22,25 @@ struct Options {
     bool windowed = false;
 };
 
+/// A store in a folder that is not there is most often a mistyped path: answers must not go astray.
+void refuse_missing_folder(const std::string& url) {
+    constexpr std::string_view kSqlite = "sqlite3://";
+    if (!url.starts_with(kSqlite)) return;
+    const std::filesystem::path folder =
+        std::filesystem::path(url.substr(kSqlite.size())).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw base::bad_input("--db: {}: there is no folder {}", url, folder.string());
+    }
+}
+
 base::ExitCode run(const Options& options, const Globals& globals) {
+    refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study);
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
+    kiosk_options.remedy =
+        fmt::format("obscura render {} --data {}", options.study, globals.data.string());
     kiosk_options.monitor = options.monitor;
     kiosk_options.windowed = options.windowed;
     kiosk::run_kiosk(study, kiosk_options);

@@ -24,11 +24,11 @@ namespace {
 using analysis::Kind;
 using End = SessionRunner::End;
 
-void refuse_incomplete_stimuli(const stimuli::Study& study, const std::filesystem::path& folder) {
-    const std::vector<std::string> problems = stimuli::problems_of_stimuli(study, folder);
+void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& options) {
+    const std::vector<std::string> problems = stimuli::problems_of_stimuli(study, options.folder);
     if (problems.empty()) return;
-    throw base::bad_input("the stimuli of {} are not ready:\n  {}\nmake them with: obscura render",
-                          study.name, fmt::join(problems, "\n  "));
+    throw base::bad_input("the stimuli of {} are not ready:\n  {}\nmake them with: {}", study.name,
+                          fmt::join(problems, "\n  "), options.remedy);
 }
 
 /// One kiosk in its window.
@@ -166,14 +166,15 @@ class Kiosk {
 }  // namespace
 
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
-    refuse_incomplete_stimuli(study, options.folder);
+    refuse_incomplete_stimuli(study, options);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
+    // The monitor is refused before the store is touched.
+    Window window({options.monitor, options.windowed, {study.width, study.height}});
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
     // lock: `obscura demo` may have replaced the file in between.
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    Window window({options.monitor, options.windowed, {study.width, study.height}});
     std::vector<std::string> texts = fixed_texts();
     texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
     Ui ui(window, texts, study.grey_level);
@@ -181,6 +182,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"
                                    : "presenting does not wait for the refresh");
+    spdlog::info("answers go to {}", options.store_url);
     spdlog::info("the operator leaves with Ctrl+Shift+Q");
     Kiosk(study, manifest, store, stage).run();
 }

@@ -12,12 +12,14 @@ namespace obscura::app::kiosk {
 struct KioskOptions {
     std::filesystem::path folder;  ///< of the study's images and manifest
     std::string store_url;
+    std::string
+        remedy;  ///< the command that makes the images, for the message that they are missing
     int monitor = 0;
     bool windowed = false;
 };
 
 /// Runs participants through the study until the operator leaves.
-/// Before a window opens for anyone, throws bad input when an image is missing or is not that of
+/// Before anyone sits down, throws bad input when an image is missing or is not that of
 /// the manifest, when the monitor is smaller than the images, or when the store cannot be used;
 /// failure when there is no display or another kiosk is running on an SQLite store. Sessions that
 /// were cut off come first: the operator continues or closes each.

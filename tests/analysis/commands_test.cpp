@@ -28,7 +28,7 @@ class CommandsTest : public testing::Test {
   protected:
     void add_session(analysis::Kind kind) const {
         analysis::Store store("sqlite3://" + file.string(), analysis::Store::Access::kReadWrite);
-        test::add_completed(store, static_cast<int>(store.sessions().size()), kind);
+        tests::add_completed(store, static_cast<int>(store.sessions().size()), kind);
     }
 
     [[nodiscard]] Ending run(const Command& command, std::vector<std::string> arguments) const {
@@ -51,7 +51,7 @@ class CommandsTest : public testing::Test {
         return ending;
     }
 
-    test::TemporaryFolder folder;
+    tests::TemporaryFolder folder;
     fs::path file = folder / "responses.sqlite";
 };
 
@@ -72,7 +72,7 @@ TEST_F(CommandsTest, AnalyzeReadsTheStoreOfTheDataFolder) {
     add_session(analysis::Kind::kParticipant);
     add_session(analysis::Kind::kSimulated);
     add_session(analysis::Kind::kSimulated);
-    EXPECT_THAT(run(analyze_command(), {}).out, HasSubstr("1 participants, 7 conditions"));
+    EXPECT_THAT(run(analyze_command(), {}).out, HasSubstr("1 participant, 7 conditions"));
     EXPECT_THAT(run(analyze_command(), {"--kind", "simulated"}).out,
                 AllOf(HasSubstr("2 simulated observers"), HasSubstr("SIMULATED DATA")));
 }

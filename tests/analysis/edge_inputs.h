@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/possible.h"
 
-namespace obscura::test {
+namespace obscura::tests {
 
 /// The same inputs for every statistic of votes: nothing, one, all on one side, ties, thesis
 /// sizes, a billion, the largest that is taken.
@@ -48,4 +48,4 @@ inline bool is_proper(const analysis::PValue& p) {
     return p.p < 1e-280 ? p.log10_p < -279.0 : std::abs(std::log10(p.p) - p.log10_p) < 1e-9;
 }
 
-}  // namespace obscura::test
+}  // namespace obscura::tests

@@ -58,7 +58,7 @@ class ExportTest : public testing::Test {
         return names;
     }
 
-    test::TemporaryFolder folder;
+    tests::TemporaryFolder folder;
     std::string url = "sqlite3://" + (folder / "responses.sqlite").string();
     fs::path out = folder / "deep" / "export";
 };
@@ -136,15 +136,15 @@ ParticipantRecord participant_of(const std::map<std::string, std::string>& row) 
 }
 
 TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
-    auto participant = test::a_participant(0);
+    auto participant = tests::a_participant(0);
     participant.gender = "kvinde, \"ikke binær\"\nÆØÅ; åndsfrisk\r\n";
     participant.age_years.reset();
     participant.naive = false;
-    auto session = test::a_session(0);
+    auto session = tests::a_session(0);
     session.seed = 9'223'372'036'854'775'807ULL;
     session.display = "Eizo, \"24\" tommer\"";
     session.refresh_hz = 59.94005994005994;
-    auto trial = test::a_trial(0, 0);
+    auto trial = tests::a_trial(0, 0);
     trial.scene = "gårdhave, nr. 1";
     trial.first_shown = 'B';
     trial.is_A_selected = true;
@@ -159,7 +159,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
     Store store = open();
     store.begin_session(participant, session);
     store.add_trial(trial);
-    test::add_completed(store, 1, Kind::kSimulated);
+    tests::add_completed(store, 1, Kind::kSimulated);
     write();
 
     std::vector<TrialRecord> trials;
@@ -176,7 +176,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
 
 TEST_F(ExportTest, TrialsHaveThePromisedColumns) {
     Store store = open();
-    test::add_completed(store, 8);
+    tests::add_completed(store, 8);
     write();
     const auto header = parse_csv(base::read_file(out / "trials.csv"), "trials.csv")[0].fields;
     const std::vector<std::string> promised{"participant_id",
@@ -216,7 +216,7 @@ TEST_F(ExportTest, TrialsHaveThePromisedColumns) {
 
 TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
     Store store = open();
-    test::add_completed(store, 0);
+    tests::add_completed(store, 0);
     write();
     const json dictionary = json::parse(base::read_file(out / "data_dictionary.json"));
     ASSERT_EQ(dictionary.size(), 4U);
@@ -237,8 +237,8 @@ TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
 
 TEST_F(ExportTest, EveryValueOfAColumnWithLevelsIsOneOfThem) {
     Store store = open();
-    test::add_completed(store, 0);
-    test::add_completed(store, 1, Kind::kSimulated);
+    tests::add_completed(store, 0);
+    tests::add_completed(store, 1, Kind::kSimulated);
     write();
     const json dictionary = json::parse(base::read_file(out / "data_dictionary.json"));
     for (const auto& [file, entries] : dictionary.items()) {
@@ -254,11 +254,11 @@ TEST_F(ExportTest, EveryValueOfAColumnWithLevelsIsOneOfThem) {
 
 TEST_F(ExportTest, ConditionsCountVotesOfCompletedSessionsByKind) {
     Store store = open();
-    test::add_completed(store, 0);
-    test::add_completed(store, 1);
-    test::add_completed(store, 2, Kind::kSimulated);
-    store.begin_session(test::a_participant(3), test::a_session(3));
-    store.add_trial(test::a_trial(3, 0));  // never completed: no vote
+    tests::add_completed(store, 0);
+    tests::add_completed(store, 1);
+    tests::add_completed(store, 2, Kind::kSimulated);
+    store.begin_session(tests::a_participant(3), tests::a_session(3));
+    store.add_trial(tests::a_trial(3, 0));  // never completed: no vote
     write();
     const Table conditions = read("conditions.csv");
     ASSERT_EQ(conditions.size(), 14U);

@@ -27,10 +27,10 @@ struct Study {
     void add(const std::vector<bool>& row) {
         constexpr std::array<const char*, 3> levels{"low", "moderate", "high"};
         const int number = static_cast<int>(sessions.size());
-        sessions.push_back(test::a_session(number));
+        sessions.push_back(tests::a_session(number));
         sessions.back().state = SessionState::kCompleted;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            TrialRecord& trial = trials.emplace_back(test::a_trial(number, static_cast<int>(i)));
+            TrialRecord& trial = trials.emplace_back(tests::a_trial(number, static_cast<int>(i)));
             trial.condition_A = "Crytek24";
             trial.validity = levels.at(i);
             trial.first_shown = number % 2 == 0 ? 'A' : 'B';

@@ -48,7 +48,7 @@ TEST(BayesFactor, KeepsItsLogarithmWhereDoublesEnd) {
 }
 
 TEST(PosteriorAndBayesFactor, HaveProperValuesOrAReasonAtTheEdges) {
-    for (const Votes& votes : test::kEdgeVotes) {
+    for (const Votes& votes : tests::kEdgeVotes) {
         SCOPED_TRACE(std::to_string(votes.a) + ":" + std::to_string(votes.b));
         const auto posterior = posterior_flat(votes.b, votes.n());
         const auto factor = bayes_factor(votes.b, votes.n());
@@ -61,7 +61,7 @@ TEST(PosteriorAndBayesFactor, HaveProperValuesOrAReasonAtTheEdges) {
         EXPECT_TRUE(0.0 <= posterior->interval.low && posterior->interval.high <= 1.0 &&
                     posterior->interval.low < posterior->interval.high)
             << posterior->interval.low << " " << posterior->interval.high;
-        EXPECT_TRUE(test::is_proper(posterior->above_half))
+        EXPECT_TRUE(tests::is_proper(posterior->above_half))
             << posterior->above_half.p << " " << posterior->above_half.log10_p;
         EXPECT_TRUE(std::isfinite(factor->log10_bf10));
         if (factor->bf10.has_value()) {
@@ -75,7 +75,7 @@ TEST(PosteriorAndBayesFactor, RefuseCountsThatCannotBe) {
     EXPECT_THROW((void)posterior_flat(-1, 2), base::Error);
     EXPECT_THROW((void)bayes_factor(3, 2), base::Error);
     EXPECT_THROW((void)bayes_factor(0, -1), base::Error);
-    for (const double confidence : test::kNoProbabilities) {
+    for (const double confidence : tests::kNoProbabilities) {
         EXPECT_THROW((void)posterior_flat(1, 2, confidence), base::Error);
     }
 }

@@ -112,7 +112,7 @@ TEST(Power, SaysThatNothingCanBeSignificant) {
 }
 
 TEST(Power, RefusesWhatCannotBe) {
-    for (const double value : test::kNoProbabilities) {
+    for (const double value : tests::kNoProbabilities) {
         EXPECT_THROW((void)power_of(SplitTest::kExact, 36, value, .05), base::Error);
         EXPECT_THROW((void)power_of(SplitTest::kExact, 36, .6, value), base::Error);
         EXPECT_THROW((void)participants_needed(SplitTest::kExact, .6, .05, value), base::Error);

@@ -8,7 +8,7 @@
 
 #include "analysis/store/store.h"
 
-namespace obscura::test {
+namespace obscura::tests {
 
 inline constexpr const char* kUtc = "2026-05-01T12:00:00Z";
 
@@ -86,4 +86,4 @@ inline void add_completed(analysis::Store& store, int number,
     store.complete_session(session.session_id, kUtc);
 }
 
-}  // namespace obscura::test
+}  // namespace obscura::tests

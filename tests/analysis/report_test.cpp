@@ -167,12 +167,12 @@ struct Rows {
     std::vector<TrialRecord> trials;
 
     void add(int number, Kind kind, SessionState state, int answers = 7) {
-        auto session = test::a_session(number);
+        auto session = tests::a_session(number);
         session.kind = kind;
         session.state = state;
         sessions.push_back(session);
         for (int index = 0; index < answers; ++index) {
-            trials.push_back(test::a_trial(number, index));
+            trials.push_back(tests::a_trial(number, index));
             trials.back().kind = kind;
         }
     }
@@ -185,7 +185,7 @@ TEST(Tally, CountsOnlyCompletedSessionsOfTheKind) {
     rows.add(2, Kind::kParticipant, SessionState::kOpen, 4);
     rows.add(3, Kind::kSimulated, SessionState::kCompleted);
     rows.add(4, Kind::kSimulated, SessionState::kCompleted);
-    auto practice = test::a_trial(0, 90);
+    auto practice = tests::a_trial(0, 90);
     practice.kind = Kind::kPractice;
     rows.trials.push_back(practice);
     practice.kind = Kind::kCatch;

@@ -94,27 +94,27 @@ TEST(FisherExact, TheTailKeepsItsSizeWhereDoublesEnd) {
 }
 
 TEST(SameParticipantsTests, HaveProperValuesOrAReasonAtTheEdges) {
-    for (const Votes& one : test::kEdgeVotes) {
+    for (const Votes& one : tests::kEdgeVotes) {
         const auto changed = mcnemar(one);
         if (one.n() == 0) {
             EXPECT_EQ(changed.reason, "no participant changed the answer");
         } else {
-            EXPECT_TRUE(test::is_proper(changed->uncorrected.p));
-            EXPECT_TRUE(test::is_proper(changed->corrected.p));
-            EXPECT_TRUE(test::is_proper(changed->exact));
+            EXPECT_TRUE(tests::is_proper(changed->uncorrected.p));
+            EXPECT_TRUE(tests::is_proper(changed->corrected.p));
+            EXPECT_TRUE(tests::is_proper(changed->exact));
         }
-        for (const Votes& other : test::kEdgeVotes) {
+        for (const Votes& other : tests::kEdgeVotes) {
             SCOPED_TRACE(std::to_string(one.a) + ":" + std::to_string(one.b) + " and " +
                          std::to_string(other.a) + ":" + std::to_string(other.b));
             const auto p = fisher_exact(one, other);
             if (p.has_value()) {
-                EXPECT_TRUE(test::is_proper(*p)) << p->p << " " << p->log10_p;
+                EXPECT_TRUE(tests::is_proper(*p)) << p->p << " " << p->log10_p;
             } else {
                 EXPECT_FALSE(p.reason.empty());
             }
         }
     }
-    for (const Votes& votes : test::kImpossibleVotes) {
+    for (const Votes& votes : tests::kImpossibleVotes) {
         EXPECT_THROW((void)mcnemar(votes), base::Error);
         EXPECT_THROW((void)fisher_exact({1, 1}, votes), base::Error);
     }

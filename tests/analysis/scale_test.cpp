@@ -112,8 +112,8 @@ TEST(OrderBias, SaysSeparationAndConditionsThatTellNothing) {
 }
 
 TEST(OrderBias, HasAProperValueOrAReasonAtTheEdges) {
-    for (const Votes& one : test::kEdgeVotes) {
-        for (const Votes& other : test::kEdgeVotes) {
+    for (const Votes& one : tests::kEdgeVotes) {
+        for (const Votes& other : tests::kEdgeVotes) {
             SCOPED_TRACE(std::to_string(one.a) + ":" + std::to_string(one.b) + " and " +
                          std::to_string(other.a) + ":" + std::to_string(other.b));
             const auto test = order_bias({{one, other}});
@@ -122,10 +122,10 @@ TEST(OrderBias, HasAProperValueOrAReasonAtTheEdges) {
                 continue;
             }
             EXPECT_TRUE(std::isfinite(test->order_term) && test->standard_error > 0.0);
-            EXPECT_TRUE(test::is_proper(test->likelihood_ratio.p));
+            EXPECT_TRUE(tests::is_proper(test->likelihood_ratio.p));
         }
     }
-    for (const Votes& votes : test::kImpossibleVotes) {
+    for (const Votes& votes : tests::kImpossibleVotes) {
         EXPECT_THROW((void)order_bias({{votes, {1, 1}}}), base::Error);
     }
 }
@@ -199,8 +199,8 @@ TEST(PairedScales, SayDisconnectionAndSeparation) {
 }
 
 TEST(PairedScales, HaveFiniteValuesOrAReasonAtTheEdges) {
-    for (const Votes& one : test::kEdgeVotes) {
-        for (const Votes& other : test::kEdgeVotes) {
+    for (const Votes& one : tests::kEdgeVotes) {
+        for (const Votes& other : tests::kEdgeVotes) {
             SCOPED_TRACE(std::to_string(one.a) + ":" + std::to_string(one.b) + " and " +
                          std::to_string(other.a) + ":" + std::to_string(other.b));
             const std::vector<PairVotes> pairs{{0, 1, one.a, one.b}, {1, 2, other.a, other.b}};
@@ -217,7 +217,7 @@ TEST(PairedScales, HaveFiniteValuesOrAReasonAtTheEdges) {
             }
         }
     }
-    for (const Votes& votes : test::kImpossibleVotes) {
+    for (const Votes& votes : tests::kImpossibleVotes) {
         EXPECT_THROW((void)bradley_terry({"x", "y"}, {{0, 1, votes.a, votes.b}}), base::Error);
     }
     EXPECT_THROW((void)bradley_terry({"x", "y"}, {{0, 2, 1, 1}}), base::Error);

@@ -169,7 +169,7 @@ TEST(ExactBinomial, TheTailKeepsItsSizeWhereDoublesEnd) {
 }
 
 TEST(ExactBinomial, RefusesSharesAndCountsThatCannotBe) {
-    for (const double share : test::kNoProbabilities) {
+    for (const double share : tests::kNoProbabilities) {
         EXPECT_THROW((void)exact_binomial(1, 2, share), base::Error) << share;
     }
     EXPECT_THROW((void)exact_binomial(1, 2, 0.0), base::Error);
@@ -200,7 +200,7 @@ TEST(Wilson, ABoundIsTheShareThatTheScoreTestJustRejects) {
 }
 
 TEST(Wilson, RefusesConfidencesThatCannotBe) {
-    for (const double confidence : test::kNoProbabilities) {
+    for (const double confidence : tests::kNoProbabilities) {
         EXPECT_THROW((void)wilson(1, 2, confidence), base::Error) << confidence;
     }
     EXPECT_THROW((void)wilson(3, 2), base::Error);
@@ -214,7 +214,7 @@ TEST(Holm, MeetsTheExample) {
     EXPECT_THAT(holm({.2}), ElementsAre(.2));
     EXPECT_THAT(holm({0.0, 1.0, .9}), ElementsAre(0.0, 1.0, 1.0));
     EXPECT_THAT(holm({.5, .5, .5}), ElementsAre(1.0, 1.0, 1.0));
-    for (const double p : test::kNoProbabilities) EXPECT_THROW((void)holm({.5, p}), base::Error);
+    for (const double p : tests::kNoProbabilities) EXPECT_THROW((void)holm({.5, p}), base::Error);
 }
 
 TEST(ClopperPearson, MeetsPublishedIntervals) {
@@ -224,7 +224,7 @@ TEST(ClopperPearson, MeetsPublishedIntervals) {
     EXPECT_NEAR(clopper_pearson(36, 36)->low, 1.0 - .09739376, 1e-8);
     EXPECT_NEAR(clopper_pearson(25, 36)->low, .51892937, 1e-8);  // mpmath 1.3, 25 digits
     EXPECT_NEAR(clopper_pearson(25, 36)->high, .836526015372, 1e-11);
-    for (const double confidence : test::kNoProbabilities) {
+    for (const double confidence : tests::kNoProbabilities) {
         EXPECT_THROW((void)clopper_pearson(1, 2, confidence), base::Error) << confidence;
     }
     EXPECT_THROW((void)clopper_pearson(3, 2), base::Error);
@@ -237,13 +237,13 @@ TEST(BenjaminiHochberg, MeetsTheExample) {
     EXPECT_THAT(benjamini_hochberg({}), IsEmpty());
     EXPECT_THAT(benjamini_hochberg({.2}), ElementsAre(.2));
     EXPECT_THAT(benjamini_hochberg({0.0, 1.0}), ElementsAre(0.0, 1.0));
-    for (const double p : test::kNoProbabilities) {
+    for (const double p : tests::kNoProbabilities) {
         EXPECT_THROW((void)benjamini_hochberg({.5, p}), base::Error);
     }
 }
 
 TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
-    for (const Votes& votes : test::kEdgeVotes) {
+    for (const Votes& votes : tests::kEdgeVotes) {
         SCOPED_TRACE(std::to_string(votes.a) + ":" + std::to_string(votes.b));
         const auto chi = chi_square_equal_split(votes);
         const auto exact = exact_binomial(votes.b, votes.n());
@@ -261,9 +261,9 @@ TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
             continue;
         }
         EXPECT_TRUE(std::isfinite(chi->statistic) && chi->statistic >= 0.0);
-        EXPECT_TRUE(test::is_proper(chi->p)) << chi->p.p << " " << chi->p.log10_p;
-        EXPECT_TRUE(test::is_proper(*exact)) << exact->p << " " << exact->log10_p;
-        EXPECT_TRUE(test::is_proper(*uneven)) << uneven->p << " " << uneven->log10_p;
+        EXPECT_TRUE(tests::is_proper(chi->p)) << chi->p.p << " " << chi->p.log10_p;
+        EXPECT_TRUE(tests::is_proper(*exact)) << exact->p << " " << exact->log10_p;
+        EXPECT_TRUE(tests::is_proper(*uneven)) << uneven->p << " " << uneven->log10_p;
         const double share = static_cast<double>(votes.b) / static_cast<double>(votes.n());
         EXPECT_TRUE(0.0 <= interval->low && interval->low <= share && share <= interval->high &&
                     interval->high <= 1.0);
@@ -277,7 +277,7 @@ TEST(EveryStatistic, HasAProperValueOrAReasonAtTheEdges) {
             EXPECT_EQ(*g, 0.0);
         }
     }
-    for (const Votes& votes : test::kImpossibleVotes) {
+    for (const Votes& votes : tests::kImpossibleVotes) {
         EXPECT_THROW((void)chi_square_equal_split(votes), base::Error);
         EXPECT_THROW((void)chi_square_homogeneity({{1, 1}, votes}), base::Error);
         EXPECT_THROW((void)cohens_g(votes), base::Error);

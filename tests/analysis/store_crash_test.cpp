@@ -32,7 +32,7 @@ class StoreCrashTest : public testing::Test {
         EXPECT_EQ(integrity, "ok");
     }
 
-    test::TemporaryFolder folder;
+    tests::TemporaryFolder folder;
     std::string url = "sqlite3://" + (folder / "responses.sqlite").string();
 };
 
@@ -40,11 +40,11 @@ class StoreCrashTest : public testing::Test {
 /// each call that returned.
 [[noreturn]] void answer_for_ever(const std::string& url, int number, int acknowledged) {
     Store store(url, Store::Access::kReadWrite);
-    auto session = test::a_session(number);
+    auto session = tests::a_session(number);
     session.condition_count = 1'000'000;
-    store.begin_session(test::a_participant(number), session);
+    store.begin_session(tests::a_participant(number), session);
     for (int index = 0;; ++index) {
-        store.add_trial(test::a_trial(number, index));
+        store.add_trial(tests::a_trial(number, index));
         if (::write(acknowledged, "+", 1) != 1) ::_exit(1);
     }
 }
@@ -73,7 +73,7 @@ TEST_F(StoreCrashTest, EveryAcknowledgedAnswerSurvivesSigkill) {
         EXPECT_GE(trials.size(), acknowledged);
         EXPECT_LE(trials.size(), acknowledged + 1);  // killed between the commit and the byte
         for (std::size_t index = 0; index < trials.size(); ++index) {
-            EXPECT_EQ(trials[index], test::a_trial(number, static_cast<int>(index)));
+            EXPECT_EQ(trials[index], tests::a_trial(number, static_cast<int>(index)));
         }
         answers += acknowledged;
         expect_integrity();
@@ -85,18 +85,18 @@ TEST_F(StoreCrashTest, ASessionThatWasCutOffIsFoundAndContinued) {
     const pid_t child = ::fork();
     if (child == 0) {
         Store store(url, Store::Access::kReadWrite);
-        store.begin_session(test::a_participant(0), test::a_session(0));
-        store.add_trial(test::a_trial(0, 0));
+        store.begin_session(tests::a_participant(0), tests::a_session(0));
+        store.add_trial(tests::a_trial(0, 0));
         ::kill(::getpid(), SIGKILL);
     }
     ::waitpid(child, nullptr, 0);
     Store store(url, Store::Access::kReadWrite);
     const auto open = store.open_sessions("jakobsen2010", Kind::kParticipant);
     ASSERT_EQ(open.size(), 1U);
-    EXPECT_EQ(open.front(), test::a_session(0));
+    EXPECT_EQ(open.front(), tests::a_session(0));
     ASSERT_EQ(store.trials_of("s0").size(), 1U);
-    for (int index = 1; index < 7; ++index) store.add_trial(test::a_trial(0, index));
-    store.complete_session("s0", test::kUtc);
+    for (int index = 1; index < 7; ++index) store.add_trial(tests::a_trial(0, index));
+    store.complete_session("s0", tests::kUtc);
     EXPECT_TRUE(store.open_sessions("jakobsen2010", Kind::kParticipant).empty());
 }
 
@@ -111,9 +111,9 @@ bool begin_sessions(const std::string& url, int process) {
         Store store(url, Store::Access::kReadWrite);
         while (begun < kSessionsEach) {
             const int number = process * kSessionsEach + begun;
-            auto session = test::a_session(number);
+            auto session = tests::a_session(number);
             session.slot = slot++;
-            store.begin_session(test::a_participant(number), session);
+            store.begin_session(tests::a_participant(number), session);
             ++begun;
         }
     };
@@ -172,15 +172,15 @@ class FileSizeLimit {
 
 TEST_F(StoreCrashTest, AFullDiskIsAClearErrorAndEarlierAnswersRemain) {
     Store store(url, Store::Access::kReadWrite);
-    auto session = test::a_session(0);
+    auto session = tests::a_session(0);
     session.condition_count = 1000;
-    store.begin_session(test::a_participant(0), session);
+    store.begin_session(tests::a_participant(0), session);
     int answered = 0;
     std::string message;
     {
         const FileSizeLimit limit(200'000);
         try {
-            for (; answered < 1000; ++answered) store.add_trial(test::a_trial(0, answered));
+            for (; answered < 1000; ++answered) store.add_trial(tests::a_trial(0, answered));
         } catch (const base::Error& error) {
             EXPECT_EQ(error.code(), base::ExitCode::kFailed);
             message = error.what();
@@ -190,7 +190,7 @@ TEST_F(StoreCrashTest, AFullDiskIsAClearErrorAndEarlierAnswersRemain) {
         EXPECT_GT(answered, 0);
         EXPECT_EQ(store.trials().size(), static_cast<std::size_t>(answered));
     }
-    store.add_trial(test::a_trial(0, answered));  // there is room again
+    store.add_trial(tests::a_trial(0, answered));  // there is room again
     EXPECT_EQ(Store(url, Store::Access::kReadOnly).trials().size(),
               static_cast<std::size_t>(answered) + 1);
     expect_integrity();

@@ -49,7 +49,7 @@ class StoreFileTest : public testing::Test {
         EXPECT_FALSE(fs::exists(file.string() + "-journal"));
     }
 
-    test::TemporaryFolder folder;
+    tests::TemporaryFolder folder;
     fs::path file = folder / "responses.sqlite";
 };
 
@@ -98,7 +98,7 @@ TEST_F(StoreFileTest, ReadingOnlyMakesNoStore) {
 }
 
 TEST_F(StoreFileTest, ReadingOnlyChangesNothing) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     const std::string before = base::read_file(file);
     { EXPECT_EQ(Store(url(), Store::Access::kReadOnly).trials().size(), 7U); }
     EXPECT_EQ(base::read_file(file), before);
@@ -155,7 +155,7 @@ bool is_refused(const std::string& url, const std::string& text) {
 }
 
 TEST_F(StoreFileTest, AReadOnlyFolderOrFileIsRefusedForWritingAndUntouched) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     const std::string before = base::read_file(file);
     fs::permissions(file, fs::perms::owner_read | fs::perms::others_read);
     fs::permissions(folder.path(), fs::perms::all);
@@ -172,7 +172,7 @@ TEST_F(StoreFileTest, AReadOnlyFolderOrFileIsRefusedForWritingAndUntouched) {
 }
 
 TEST_F(StoreFileTest, ADamagedDatabaseIsNotReadAsIfItWereWhole) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     std::string bytes = base::read_file(file);
     for (std::size_t page = 2; page * 4096 < bytes.size(); ++page) {
         bytes.replace(page * 4096, 64, std::string(64, '\x5a'));
@@ -196,7 +196,7 @@ const std::vector<Migration>& two_steps() {
 }
 
 TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     Database database(url(), false);
     EXPECT_THROW(require_current(database, two_steps()), base::Error);
     migrate(database, two_steps());
@@ -211,7 +211,7 @@ TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
 }
 
 TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     auto steps = two_steps();
     steps.push_back({3, {"DROP TABLE events", "ALTER TABLE nowhere ADD COLUMN nothing {integer}"}});
     Database database(url(), false);
@@ -219,11 +219,11 @@ TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {
     EXPECT_EQ(schema_version(database), 1);
     Store store(url(), Store::Access::kReadOnly);
     EXPECT_EQ(store.events().size(), 1U);
-    EXPECT_EQ(store.participants().front(), test::a_participant(0));
+    EXPECT_EQ(store.participants().front(), tests::a_participant(0));
 }
 
 TEST_F(StoreFileTest, ATransactionIsRolledBackUnlessCommitted) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     Database database(url(), false);
     const auto count_events = [&] {
         int count = 0;
@@ -253,7 +253,7 @@ TEST_F(StoreFileTest, ATransactionIsRolledBackUnlessCommitted) {
 
 /// The constraints hold against other programs too, which know nothing of our checks.
 TEST_F(StoreFileTest, TheSchemaItselfRefusesRowsThatCannotBe) {
-    { test::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     Database database(url(), false);
     for (const char* statement : {
              "UPDATE trials SET is_A_selected = 1 WHERE trial_index = 0",

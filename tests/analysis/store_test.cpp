@@ -18,14 +18,14 @@ namespace obscura::analysis {
 namespace {
 
 using base::ExitCode;
-using test::a_participant;
-using test::a_session;
-using test::a_trial;
-using test::kUtc;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using tests::a_participant;
+using tests::a_session;
+using tests::a_trial;
+using tests::kUtc;
 
 /// The code and the message of the error that `work` ends with.
 struct Refusal {
@@ -62,7 +62,7 @@ class StoreTest : public testing::Test {
         EXPECT_EQ(store.events(), events);
     }
 
-    test::TemporaryFolder folder;
+    tests::TemporaryFolder folder;
     std::filesystem::path file = folder / "with blank, 100% \"quoted\"" / "responses.sqlite";
     std::string url = "sqlite3://" + file.string();
 };
@@ -140,7 +140,7 @@ TEST_F(StoreTest, ASessionIsCompletedOnlyWithAllItsAnswers) {
 
 TEST_F(StoreTest, OnlyOpenAndCompletedSessionsHoldTheirSlot) {
     Store store = open();
-    test::add_completed(store, 0);
+    tests::add_completed(store, 0);
     store.begin_session(a_participant(1), a_session(1));
     store.begin_session(a_participant(2), a_session(2));
     store.abandon_session("s1", kUtc, "the operator closed it");
@@ -289,7 +289,7 @@ TEST_F(StoreTest, TwoConnectionsSeeEachOthersRowsAndNeverShareASlot) {
 }
 
 TEST_F(StoreTest, ReadingOnlyRefusesToWrite) {
-    { test::add_completed(*std::make_unique<Store>(open()), 0); }
+    { tests::add_completed(*std::make_unique<Store>(open()), 0); }
     Store store = open(Store::Access::kReadOnly);
     expect_refused(store, ExitCode::kBadInput, "it cannot be written there",
                    [&] { store.begin_session(a_participant(1), a_session(1)); });

@@ -155,12 +155,12 @@ StoreContents random_contents(bool repeats) {
     StoreContents contents;
     constexpr std::array<const char*, 3> levels{"low", "moderate", "high"};
     for (int number = 0; number < 40; ++number) {
-        SessionRecord session = test::a_session(number);
+        SessionRecord session = tests::a_session(number);
         session.kind = number % 5 == 4 ? Kind::kSimulated : Kind::kParticipant;
         session.state = number % 7 == 6 ? SessionState::kAbandoned : SessionState::kCompleted;
         if (number == 11 && repeats) session.participant_id = "p10";
         for (int index = 0; index < 7; ++index) {
-            TrialRecord trial = test::a_trial(number, index);
+            TrialRecord trial = tests::a_trial(number, index);
             trial.kind = index == 6 && number == 0 ? Kind::kPractice : session.kind;
             trial.validity = levels.at(static_cast<std::size_t>(index % 3));
             trial.hypothesis = index < 3 ? "H1" : "H2";
@@ -170,7 +170,7 @@ StoreContents random_contents(bool repeats) {
             trial.is_A_selected = trial.response_first == (trial.first_shown == 'A');
             contents.trials.push_back(trial);
         }
-        contents.participants.push_back(test::a_participant(number));
+        contents.participants.push_back(tests::a_participant(number));
         contents.sessions.push_back(session);
     }
     return contents;

@@ -37,7 +37,7 @@ b = { technique = "crytek", samples = 8 }
 )";
 
 TEST(DemoCommand, ReplacesAnEmptyFileAndAnEarlierDemoButNoStoreOfAKioskThatRuns) {
-    const test::TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     base::write_file_atomically(folder / "tiny.toml", kStudy);
     const std::filesystem::path file = folder.path() / "out" / "responses.sqlite";
     const std::string url = "sqlite3://" + file.string();

@@ -20,7 +20,7 @@ struct ProgramRun {
 };
 
 /// Runs `obscura ARGUMENTS` in the folder; the arguments are words of the shell.
-inline ProgramRun run_program(const test::TemporaryFolder& folder, const std::string& arguments) {
+inline ProgramRun run_program(const tests::TemporaryFolder& folder, const std::string& arguments) {
     const std::string command = "cd '" + folder.path().string() + "' && '" OBSCURA_PROGRAM "' " +
                                 arguments + " >stdout.txt 2>stderr.txt";
     const int status = std::system(command.c_str());

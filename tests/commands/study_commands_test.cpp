@@ -49,7 +49,7 @@ class StudyCommands : public testing::Test {
         base::write_file_atomically(folder_.path() / "bad.toml", text);
     }
 
-    test::TemporaryFolder folder_;
+    tests::TemporaryFolder folder_;
 };
 
 TEST_F(StudyCommands, CheckCountsWhatIsInAStudyWithoutProblems) {

@@ -100,7 +100,7 @@ class Recording : public testing::Test {
         step(t + 9, ScreenPresented{});
     }
 
-    test::TemporaryFolder folder_;
+    tests::TemporaryFolder folder_;
     std::optional<analysis::Store> store_;
     stimuli::Study study_;
     std::optional<Procedure> procedure_;

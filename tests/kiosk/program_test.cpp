@@ -372,6 +372,7 @@ TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
     ::unsetenv("DISPLAY");
     EXPECT_EQ(exit_code_of_run(), 1);
     EXPECT_THAT(said(), HasSubstr("DISPLAY is not set"));
+    EXPECT_FALSE(std::filesystem::exists(shown.data / "responses.sqlite"));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ class ShownStudy {
         return "sqlite3://" + (data / "responses.sqlite").string();
     }
 
-    test::TemporaryFolder temporary;
+    tests::TemporaryFolder temporary;
     std::filesystem::path data = temporary.path();
     std::filesystem::path file;
     std::filesystem::path folder;  ///< of the images
