@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/normal.hpp>
+// uBLAS's own checks use what C++20 took out of std::allocator.
+#define BOOST_UBLAS_NDEBUG
 #include <boost/numeric/ublas/lu.hpp>
 #include <boost/numeric/ublas/matrix.hpp>
 #include <boost/numeric/ublas/vector.hpp>
