@@ -145,7 +145,7 @@ TEST(TrialsFile, FindsDuplicatesAndContradictions) {
 TEST(TrialsFile, OneParticipantAndAnswersAllAlikeHaveAnAnalysis) {
     const std::string text = text_report(analyse(tally(kHeader + "ann,x,y,1\nann,z,y,1\n")));
     EXPECT_THAT(text,
-                AllOf(HasSubstr("1 participants"), Not(HasSubstr("nan")), HasSubstr("separated")));
+                AllOf(HasSubstr("1 participant,"), Not(HasSubstr("nan")), HasSubstr("separated")));
 }
 
 /// Sessions of all kinds and states with random answers; one participant comes back if `repeats`.
