@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
+#include <string_view>
 
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
@@ -53,9 +53,18 @@ std::vector<Stimulus> select(const Study& study, const Selection& selection) {
 }
 
 /// manifest.json, or the list of a part, manifest-K-of-N.json; nothing else that may lie there.
-bool is_part_manifest(const std::string& name) {
-    static const std::regex pattern("manifest-[0-9]+-of-[0-9]+\\.json");
-    return std::regex_match(name, pattern);
+bool is_part_manifest(std::string_view name) {
+    const auto take = [&name](std::string_view word) {
+        const bool there = name.starts_with(word);
+        if (there) name.remove_prefix(word.size());
+        return there;
+    };
+    const auto take_number = [&name] {
+        const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+        name.remove_prefix(digits);
+        return digits > 0;
+    };
+    return take("manifest-") && take_number() && take("-of-") && take_number() && name == ".json";
 }
 bool is_manifest(const std::string& name) {
     return name == "manifest.json" || is_part_manifest(name);
