@@ -97,8 +97,10 @@ bool ChildProcess::wait(double seconds, int& exit_code) {
 VirtualDisplay::VirtualDisplay(int width, int height) : width_(width), height_(height) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+    // Without -noreset the server starts anew when its last client leaves, and refuses the next one
+    // that comes meanwhile.
     server_ = ChildProcess({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
-                            fmt::format("{}x{}x24", width, height), "-nolisten", "tcp"},
+                            fmt::format("{}x{}x24", width, height), "-nolisten", "tcp", "-noreset"},
                            ends[1], "");
     ::close(ends[1]);
     std::string number;
