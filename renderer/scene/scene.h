@@ -31,6 +31,13 @@ struct Texture {
 using TextureIndex = std::int32_t;
 inline constexpr TextureIndex kNoTexture = -1;
 
+/// What the alpha of a surface (of its albedo texture and its `opacity`) means.
+enum class Coverage {
+    kOpaque,   ///< nothing
+    kCutOut,   ///< below alpha_cutoff there is no surface, for eyes, shadows and occlusion alike
+    kBlended,  ///< mixed over what lies behind
+};
+
 /// A surface as the G-buffer stores it (Jakobsen 2010, Table 1).
 struct Material {
     std::string name;
@@ -40,6 +47,9 @@ struct Material {
     TextureIndex albedo_texture = kNoTexture;
     TextureIndex normal_texture = kNoTexture;  ///< tangent space, +Y towards +v, 128 = 0
     bool double_sided = false;
+    Coverage coverage = Coverage::kOpaque;
+    float opacity = 1.0F;       ///< factor of the texture's alpha, [0, 1]
+    float alpha_cutoff = 0.5F;  ///< [0, 1]
 };
 
 /// Triangles of one material: three indices each, counter-clockwise seen from outside.
