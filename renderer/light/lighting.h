@@ -3,6 +3,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,10 +20,29 @@ struct DirectionalLight {
                                  ///< white diffuse surface 1
 };
 
-/// Tone mapping after Reinhard et al. 2002, equation 4, on luminance.
+/// Light from a point, to all sides or within a cone.
+struct PointLight {
+    glm::vec3 position_m{0.0F, 1.0F, 0.0F};
+    glm::vec3 intensity{1.0F};  ///< linear Rec. 709: the irradiance at 1 m of a surface that faces
+                                ///< it; falls with the distance squared
+    glm::vec3 direction{0.0F, -1.0F, 0.0F};   ///< unit length, the axis of the cone
+    float inner_cone_rad = glm::pi<float>();  ///< half angle within which nothing is lost
+    float outer_cone_rad = glm::pi<float>();  ///< half angle beyond which there is no light
+    float range_m = std::numeric_limits<float>::infinity();  ///< > 0; no light beyond
+};
+
+/// Curves from scene light to display light, all on linear Rec. 709.
+enum class ToneCurve {
+    kReinhard,  ///< Reinhard et al. 2002, equation 4, on luminance
+    kFilmic,    ///< Hable 2010 (Uncharted 2), on each channel
+    kAces,      ///< Narkowicz 2016, fit to the ACES reference, on each channel
+};
+
+/// Tone mapping of a scene.
 struct ToneMapping {
+    ToneCurve curve = ToneCurve::kReinhard;
     float exposure = 1.0F;  ///< factor before the curve, > 0
-    float white = 4.0F;     ///< luminance (after exposure) that becomes display white, > 0
+    float white = 4.0F;     ///< value (after exposure) that becomes display white, > 0
 };
 
 /// All the light of a scene. What is absent costs nothing: no environment means constant ambient
@@ -31,6 +52,7 @@ struct Lighting {
     glm::vec3 background{1.0F};  ///< linear colour of empty pixels, where there is no environment
     std::shared_ptr<const Environment> environment;  ///< irradiance and skybox
     std::vector<DirectionalLight> lights;            ///< each casts shadows
+    std::vector<PointLight> point_lights;            ///< each casts shadows
     bool normal_mapping = false;
     std::optional<ToneMapping> tone_mapping;
 };

@@ -48,8 +48,12 @@ struct Material {
     TextureIndex normal_texture = kNoTexture;  ///< tangent space, +Y towards +v, 128 = 0
     bool double_sided = false;
     Coverage coverage = Coverage::kOpaque;
-    float opacity = 1.0F;       ///< factor of the texture's alpha, [0, 1]
-    float alpha_cutoff = 0.5F;  ///< [0, 1]
+    float opacity = 1.0F;                         ///< factor of the texture's alpha, [0, 1]
+    float alpha_cutoff = 0.5F;                    ///< [0, 1]
+    glm::vec3 emissive{0.0F};                     ///< linear radiance it sends out by itself, >= 0
+    TextureIndex emissive_texture = kNoTexture;   ///< factor of `emissive`
+    TextureIndex occlusion_texture = kNoTexture;  ///< baked accessibility in its red channel
+    float occlusion_strength = 1.0F;              ///< 0: the texture does nothing, 1: all of it
 };
 
 /// Triangles of one material: three indices each, counter-clockwise seen from outside.
