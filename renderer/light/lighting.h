@@ -40,9 +40,9 @@ enum class ToneCurve {
 
 /// Tone mapping of a scene.
 struct ToneMapping {
-    ToneCurve curve = ToneCurve::kReinhard;
     float exposure = 1.0F;  ///< factor before the curve, > 0
     float white = 4.0F;     ///< value (after exposure) that becomes display white, > 0
+    ToneCurve curve = ToneCurve::kReinhard;
 };
 
 /// All the light of a scene. What is absent costs nothing: no environment means constant ambient
