@@ -22,17 +22,23 @@ GlFormat gl_format(Target target) {
         case Target::kAlbedo:
             return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kNormal:
+        case Target::kOccluderNormal:
         case Target::kDisplay:
+        case Target::kResolved:
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kDepth:
+        case Target::kOccluderDepth:
         case Target::kAccessibility:
         case Target::kDenoiseStep:
         case Target::kDenoised:
             return {GL_R32F, GL_RED, GL_FLOAT};
         case Target::kVisibility:
+        case Target::kOccluderVisibility:
             return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
         case Target::kShadow:
+        case Target::kPointShadow:
             return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+        case Target::kEmission:
         case Target::kAmbient:
         case Target::kDirect:
         case Target::kHdr:
@@ -43,7 +49,8 @@ GlFormat gl_format(Target target) {
 
 gl::Texture make_texture(const PlannedTarget& planned) {
     const GLenum internal = gl_format(planned.target).internal;
-    const bool layered = planned.target == Target::kShadow;
+    const bool layered =
+        planned.target == Target::kShadow || planned.target == Target::kPointShadow;
     gl::Texture texture =
         gl::Texture::make(static_cast<GLenum>(layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
     if (layered) {
@@ -101,9 +108,9 @@ std::vector<float> Frame::read_floats(Target target) const {
 }
 
 std::vector<std::uint8_t> Frame::read_display() const {
-    const std::vector<std::uint8_t> rgba = read_bytes(Target::kDisplay);
-    const auto width = static_cast<std::size_t>(plan_.width);
-    const auto height = static_cast<std::size_t>(plan_.height);
+    const std::vector<std::uint8_t> rgba = read_bytes(plan_.image());
+    const auto width = static_cast<std::size_t>(plan_.image_width);
+    const auto height = static_cast<std::size_t>(plan_.image_height);
     std::vector<std::uint8_t> rgb(3 * width * height);
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) {
