@@ -30,9 +30,8 @@ void check(const Unknown& unknown) {
 /// The search runs over the unit cube, so that a step means the same for every unknown.
 double from_unit(const Unknown& unknown, double u) {
     u = std::clamp(u, 0.0, 1.0);
-    const double value = unknown.logarithmic
-                             ? unknown.low * std::pow(unknown.high / unknown.low, u)
-                             : unknown.low + (unknown.high - unknown.low) * u;
+    const double value = unknown.logarithmic ? unknown.low * std::pow(unknown.high / unknown.low, u)
+                                             : unknown.low + (unknown.high - unknown.low) * u;
     return std::clamp(value, unknown.low, unknown.high);
 }
 

@@ -19,9 +19,8 @@ std::array<float, 256> linear_of_code() {
     std::array<float, 256> table{};
     for (std::size_t code = 0; code < table.size(); ++code) {
         const double encoded = static_cast<double>(code) / 255.0;
-        table[code] = static_cast<float>(encoded <= 0.04045
-                                             ? encoded / 12.92
-                                             : std::pow((encoded + 0.055) / 1.055, 2.4));
+        table[code] = static_cast<float>(
+            encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
     }
     return table;
 }
@@ -43,10 +42,9 @@ OIIO::ImageBuf buffer_of(std::span<const std::uint8_t> codes, int width, int hei
 FinalImageError final_image_error(std::span<const std::uint8_t> image,
                                   std::span<const std::uint8_t> truth, int width, int height,
                                   const Viewing& viewing) {
-    const std::size_t expected =
-        width > 0 && height > 0
-            ? 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)
-            : 0;
+    const std::size_t expected = width > 0 && height > 0 ? 3 * static_cast<std::size_t>(width) *
+                                                               static_cast<std::size_t>(height)
+                                                         : 0;
     if (expected == 0 || image.size() != expected || truth.size() != expected) {
         throw base::bad_input("image error: {} and {} code values for an image of {}x{}",
                               image.size(), truth.size(), width, height);

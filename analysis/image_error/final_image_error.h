@@ -10,9 +10,9 @@ namespace obscura::analysis {
 /// How far a final image is from the one with true accessibility. Code values are sRGB (IEC
 /// 61966-2-1), differences are of code / 255.
 struct FinalImageError {
-    double rmse = 0.0;         ///< OpenImageIO's compare, over the three channels
-    double max = 0.0;          ///< the largest difference of a channel
-    double yee_failed = 0.0;   ///< share of pixels that differ visibly by Yee's metric, [0, 1]
+    double rmse = 0.0;        ///< OpenImageIO's compare, over the three channels
+    double max = 0.0;         ///< the largest difference of a channel
+    double yee_failed = 0.0;  ///< share of pixels that differ visibly by Yee's metric, [0, 1]
 };
 
 /// Where and how an image is looked at, for Yee's metric (Yee 2004, "A Perceptual Metric for

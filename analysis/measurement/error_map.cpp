@@ -13,10 +13,10 @@
 namespace obscura::analysis {
 
 Plot error_map(const ErrorMap& map) {
-    const std::size_t pixels = map.width > 0 && map.height > 0
-                                   ? static_cast<std::size_t>(map.width) *
-                                         static_cast<std::size_t>(map.height)
-                                   : 0;
+    const std::size_t pixels =
+        map.width > 0 && map.height > 0
+            ? static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height)
+            : 0;
     if (pixels == 0 || map.difference.size() != pixels) {
         throw base::bad_input("error map {}: {} pixels for {}x{}", map.name, map.difference.size(),
                               map.width, map.height);
@@ -40,7 +40,8 @@ Plot error_map(const ErrorMap& map) {
         "set palette defined (-1 \"#0072B2\", 0 \"#FFFFFF\", 1 \"#D55E00\")\n"
         "set cbrange [{3}:{4}]\n"
         "set cblabel \"measured - truth (accessibility; below 0: too dark)\"\n"
-        "set xrange [-0.5:{5}]\nset yrange [-0.5:{6}]\nset size ratio -1\nunset xtics\nunset ytics\n"
+        "set xrange [-0.5:{5}]\nset yrange [-0.5:{6}]\nset size ratio -1\nunset xtics\nunset "
+        "ytics\n"
         "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#000000\"\n"
         "plot \"{0}\" binary array=({1},{2}) flipy format=\"%float32\" with image notitle\n",
         file, map.width, map.height, shortest(-map.limit), shortest(map.limit),

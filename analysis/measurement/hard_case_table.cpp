@@ -33,19 +33,20 @@ std::string to_string(Holds holds) {
 HardCaseCount count_of(const std::vector<HardCaseRow>& rows) {
     HardCaseCount count;
     for (const HardCaseRow& row : rows) {
-        ++(row.holds == Holds::kYes ? count.yes
-                                    : row.holds == Holds::kByNature ? count.by_nature : count.no);
+        ++(row.holds == Holds::kYes        ? count.yes
+           : row.holds == Holds::kByNature ? count.by_nature
+                                           : count.no);
     }
     return count;
 }
 
 std::string hard_cases_csv(const std::vector<HardCaseRow>& rows) {
-    std::string text = csv_line({"case", "technique", "quantity", "expected", "measured",
-                                 "tolerance", "holds", "note"});
+    std::string text = csv_line(
+        {"case", "technique", "quantity", "expected", "measured", "tolerance", "holds", "note"});
     for (const HardCaseRow& row : rows) {
-        text += csv_line({row.name, row.technique, row.quantity, number(row.expected),
-                          number(row.measured), number(row.tolerance), to_string(row.holds),
-                          row.note});
+        text +=
+            csv_line({row.name, row.technique, row.quantity, number(row.expected),
+                      number(row.measured), number(row.tolerance), to_string(row.holds), row.note});
     }
     return text;
 }

@@ -80,8 +80,8 @@ class Blocks {
 std::vector<std::string> lines_of(const std::vector<Point>& points) {
     std::vector<std::string> lines;
     for (const Point& point : points) {
-        lines.push_back(fmt::format("{}\t{}\t{}", shortest(point.ms), shortest(point.rmse),
-                                    point.samples));
+        lines.push_back(
+            fmt::format("{}\t{}\t{}", shortest(point.ms), shortest(point.rmse), point.samples));
     }
     return lines;
 }
@@ -109,8 +109,7 @@ class ErrorOverTime {
         add_front();
         add_rings();
         curves_.push_back(fmt::format("{} with lines lc rgb \"#999999\" dt 3 title {}",
-                                      shortest(eight_bit_rmse()),
-                                      quoted("8-bit rounding")));
+                                      shortest(eight_bit_rmse()), quoted("8-bit rounding")));
         Plot plot;
         plot.script = fmt::format(
             "set logscale xy\nset xlabel \"median time of accessibility and filter (ms)\"\n"
@@ -187,11 +186,11 @@ double eight_bit_rmse() { return 1.0 / (255.0 * std::sqrt(12.0)); }
 
 Plot error_over_time(const std::vector<MeasurementRow>& rows, const std::string& blur) {
     const std::string view = rows.empty() ? "nothing" : view_name(rows.front());
-    const std::string name = "error-over-time-" + file_stem(rows.empty() ? view
-                                                                         : rows.front().scene + ' ' +
-                                                                               rows.front().camera +
-                                                                               ' ' +
-                                                                               rows.front().validity);
+    const std::string name =
+        "error-over-time-" + file_stem(rows.empty()
+                                           ? view
+                                           : rows.front().scene + ' ' + rows.front().camera + ' ' +
+                                                 rows.front().validity);
     Plot plot = ErrorOverTime(rows, blur, name + ".dat").draw();
     plot.name = name;
     plot.title = fmt::format("Speed against error: {} (filter: {})", view, blur);
@@ -218,13 +217,15 @@ Plot growth_plot(const std::vector<Growth>& growths, const std::string& quantity
                               growth.law->exponent, growth.law->low, growth.law->high)
                 : growth.technique;
         curves.push_back(fmt::format(
-            "\"{}\" index \"{}\" using 1:2 with linespoints lc rgb \"{}\" lw 2 pt 7 ps 0.6 title {}",
+            "\"{}\" index \"{}\" using 1:2 with linespoints lc rgb \"{}\" lw 2 pt 7 ps 0.6 title "
+            "{}",
             file, growth.technique, kColours[curves.size() % kColours.size()], quoted(title)));
     }
     plot.script = fmt::format(
         "set logscale xy\nset xlabel {}\nset ylabel \"median time (ms)\"\nset key left top\n"
         "set grid xtics ytics lc rgb \"#dddddd\"\nset format y \"%g\"\nplot {}\n",
-        quoted(quantity), curves.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(curves, ", ")));
+        quoted(quantity),
+        curves.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(curves, ", ")));
     plot.data.push_back({file, blocks.take()});
     return plot;
 }

@@ -26,7 +26,7 @@ namespace obscura::analysis {
 /// measured - truth at each pixel as an image with a scale bar: blue is too dark, white right,
 /// vermilion too light (Okabe and Ito's colours, told apart by every kind of colour vision).
 struct ErrorMap {
-    std::string name;   ///< stem of the files
+    std::string name;  ///< stem of the files
     std::string title;
     int width = 0;
     int height = 0;

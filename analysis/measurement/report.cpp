@@ -34,20 +34,32 @@ std::vector<std::vector<MeasurementRow>> by_view(const std::vector<MeasurementRo
     return views;
 }
 
-std::string cell(const Possible<AccessibilityError>& error, double AccessibilityError::* member) {
+std::string cell(const Possible<AccessibilityError>& error, double AccessibilityError::*member) {
     return error.has_value() ? fmt::format("{:.4f}", (*error).*member) : "-";
 }
 
 /// Few columns, for people.
 Table table_of(const std::vector<MeasurementRow>& rows) {
     Table table;
-    table.headings = {"variant", "filter",  "values", "AO ms",     "filter ms",
-                      "frame ms", "fetches/px", "RMSE",  "bias", "p99", "RMSE inside",
-                      "image RMSE", "seen to differ (Yee)", "front"};
+    table.headings = {"variant",
+                      "filter",
+                      "values",
+                      "AO ms",
+                      "filter ms",
+                      "frame ms",
+                      "fetches/px",
+                      "RMSE",
+                      "bias",
+                      "p99",
+                      "RMSE inside",
+                      "image RMSE",
+                      "seen to differ (Yee)",
+                      "front"};
     for (const MeasurementRow& row : rows) {
         table.rows.push_back(
             {row.variant, row.blur + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
-             row.fitted ? "fitted" : "published", fmt::format("{:.2f}", row.accessibility.median_ms),
+             row.fitted ? "fitted" : "published",
+             fmt::format("{:.2f}", row.accessibility.median_ms),
              fmt::format("{:.2f}", row.denoise.median_ms),
              fmt::format("{:.2f}", row.frame.median_ms), std::to_string(row.fetches_per_px),
              cell(row.error, &AccessibilityError::rmse), cell(row.error, &AccessibilityError::bias),
@@ -73,18 +85,17 @@ Table hard_case_table(const std::vector<HardCaseRow>& rows, Holds wanted) {
     table.headings = {"case", "technique", "quantity", "expected", "measured", "tolerance", "note"};
     for (const HardCaseRow& row : rows) {
         if (row.holds != wanted) continue;
-        table.rows.push_back({row.name, row.technique, row.quantity,
-                              fmt::format("{:.6g}", row.expected),
-                              fmt::format("{:.6g}", row.measured),
-                              fmt::format("{:.3g}", row.tolerance), row.note});
+        table.rows.push_back(
+            {row.name, row.technique, row.quantity, fmt::format("{:.6g}", row.expected),
+             fmt::format("{:.6g}", row.measured), fmt::format("{:.3g}", row.tolerance), row.note});
     }
     return table;
 }
 
 Table fitted_table(const std::vector<Fitted>& fitted) {
     Table table;
-    table.headings = {"scene", "variant", "trained on", "published", "fitted",
-                      "RMSE before", "RMSE after", "evaluations"};
+    table.headings = {"scene",  "variant",     "trained on", "published",
+                      "fitted", "RMSE before", "RMSE after", "evaluations"};
     const auto listed = [](const std::map<std::string, double>& parameters) {
         std::string text;
         for (const auto& [name, value] : parameters) {
@@ -93,12 +104,11 @@ Table fitted_table(const std::vector<Fitted>& fitted) {
         return text;
     };
     for (const Fitted& fit : fitted) {
-        table.rows.push_back({fit.scene, fit.technique + std::to_string(fit.samples),
-                              fmt::format("{}", fmt::join(fit.training_cameras, ", ")),
-                              listed(fit.before), listed(fit.after),
-                              fmt::format("{:.4f}", fit.training_rmse_before),
-                              fmt::format("{:.4f}", fit.training_rmse_after),
-                              std::to_string(fit.evaluations)});
+        table.rows.push_back(
+            {fit.scene, fit.technique + std::to_string(fit.samples),
+             fmt::format("{}", fmt::join(fit.training_cameras, ", ")), listed(fit.before),
+             listed(fit.after), fmt::format("{:.4f}", fit.training_rmse_before),
+             fmt::format("{:.4f}", fit.training_rmse_after), std::to_string(fit.evaluations)});
     }
     return table;
 }
@@ -222,15 +232,15 @@ std::string json_of(const MeasurementReport& report) {
 }  // namespace
 
 std::string fitted_csv(const std::vector<Fitted>& fitted) {
-    std::string text = csv_line({"scene", "technique", "samples", "blur", "parameter", "published",
-                                 "fitted", "training_rmse_published", "training_rmse_fitted",
-                                 "evaluations"});
+    std::string text =
+        csv_line({"scene", "technique", "samples", "blur", "parameter", "published", "fitted",
+                  "training_rmse_published", "training_rmse_fitted", "evaluations"});
     for (const Fitted& fit : fitted) {
         for (const auto& [name, value] : fit.after) {
             text += csv_line({fit.scene, fit.technique, std::to_string(fit.samples), fit.blur, name,
                               shortest(fit.before.at(name)), shortest(value),
-                              shortest(fit.training_rmse_before),
-                              shortest(fit.training_rmse_after), std::to_string(fit.evaluations)});
+                              shortest(fit.training_rmse_before), shortest(fit.training_rmse_after),
+                              std::to_string(fit.evaluations)});
         }
     }
     return text;
@@ -240,9 +250,9 @@ std::string report_text(const MeasurementReport& report) {
     std::string text = report.title + '\n' + report.device + '\n';
     if (!report.timer_check.empty()) text += report.timer_check + '\n';
     if (!report.rows.empty()) {
-        text += fmt::format("\n{:<28} {:<15} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
-                            "variant", "values", "AO ms", "frame ms", "fetches", "RMSE", "bias",
-                            "p99");
+        text +=
+            fmt::format("\n{:<28} {:<15} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
+                        "variant", "values", "AO ms", "frame ms", "fetches", "RMSE", "bias", "p99");
         for (const MeasurementRow& row : shown_in_study(report.rows)) {
             text += fmt::format("{:<28} {:<15} {:<10} {:>9.2f} {:>9.2f} {:>8} {:>8} {:>8} {:>8}\n",
                                 view_name(row), row.variant, row.fitted ? "fitted" : "published",
@@ -257,12 +267,12 @@ std::string report_text(const MeasurementReport& report) {
         text += order_in_a_sentence(orders) + '\n';
     }
     for (const Growth& growth : report.growth) {
-        text += growth.law.has_value()
-                    ? fmt::format("{}: time grows with {} to the power {:.3f} ({:.3f} to {:.3f})\n",
-                                  growth.technique, growth.quantity, growth.law->exponent,
-                                  growth.law->low, growth.law->high)
-                    : fmt::format("{}: {}: {}\n", growth.technique, growth.quantity,
-                                  growth.law.reason);
+        text +=
+            growth.law.has_value()
+                ? fmt::format("{}: time grows with {} to the power {:.3f} ({:.3f} to {:.3f})\n",
+                              growth.technique, growth.quantity, growth.law->exponent,
+                              growth.law->low, growth.law->high)
+                : fmt::format("{}: {}: {}\n", growth.technique, growth.quantity, growth.law.reason);
     }
     if (!report.hard_cases.empty()) text += hard_cases_in_a_sentence(report.hard_cases) + '\n';
     return text;

@@ -33,9 +33,9 @@ struct Fitted {
 struct MeasurementReport {
     std::string title;
     std::string device;
-    std::string timer_check;         ///< the self-check of timer against clock, in a sentence
+    std::string timer_check;          ///< the self-check of timer against clock, in a sentence
     std::vector<std::string> method;  ///< sizes, rays, runs: sentences
-    std::string blur;                ///< filter of the lines in the plots
+    std::string blur;                 ///< filter of the lines in the plots
     std::vector<MeasurementRow> rows;
     std::vector<Fitted> fitted;
     std::vector<ErrorMap> maps;

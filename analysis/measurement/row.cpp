@@ -27,7 +27,7 @@ struct Column {
 };
 
 template <typename T>
-Cell possible(const Possible<AccessibilityError>& error, T AccessibilityError::* member) {
+Cell possible(const Possible<AccessibilityError>& error, T AccessibilityError::*member) {
     if (!error.has_value()) return {nullptr, error.reason};
     return {(*error).*member, ""};
 }
@@ -38,7 +38,7 @@ Cell psnr(const Possible<AccessibilityError>& error) {
     return {*error->psnr_db, ""};
 }
 
-Cell image(const MeasurementRow& row, double FinalImageError::* member) {
+Cell image(const MeasurementRow& row, double FinalImageError::*member) {
     if (!row.image) return {nullptr, "no image was compared"};
     return {(*row.image).*member, ""};
 }
@@ -57,54 +57,159 @@ using Error = AccessibilityError;
 /// The columns that others rely on, in their order.
 std::vector<Column> fixed_columns() {
     return {
-        {"scene", [](const Row& r) -> Cell { return {r.scene, ""}; }},
-        {"camera", [](const Row& r) -> Cell { return {r.camera, ""}; }},
-        {"validity", [](const Row& r) -> Cell { return {r.validity, ""}; }},
-        {"technique", [](const Row& r) -> Cell { return {r.technique, ""}; }},
-        {"samples", [](const Row& r) -> Cell { return {r.samples, ""}; }},
-        {"blur", [](const Row& r) -> Cell { return {r.blur, ""}; }},
-        {"ao_scale", [](const Row& r) -> Cell { return {r.ao_scale, ""}; }},
-        {"depth_format", [](const Row& r) -> Cell { return {r.depth_format, ""}; }},
-        {"noise", [](const Row& r) -> Cell { return {r.noise, ""}; }},
-        {"width", [](const Row& r) -> Cell { return {r.width, ""}; }},
-        {"height", [](const Row& r) -> Cell { return {r.height, ""}; }},
-        {"device", [](const Row& r) -> Cell { return {r.device, ""}; }},
-        {"fitted", [](const Row& r) -> Cell { return {r.fitted, ""}; }},
-        {"ms_min", [](const Row& r) -> Cell { return {r.cost.min_ms, ""}; }},
-        {"ms_median", [](const Row& r) -> Cell { return {r.cost.median_ms, ""}; }},
-        {"ms_p95", [](const Row& r) -> Cell { return {r.cost.p95_ms, ""}; }},
-        {"fetches_per_px", [](const Row& r) -> Cell { return {r.fetches_per_px, ""}; }},
+        {"scene",
+         [](const Row& r) -> Cell {
+             return {r.scene, ""};
+         }},
+        {"camera",
+         [](const Row& r) -> Cell {
+             return {r.camera, ""};
+         }},
+        {"validity",
+         [](const Row& r) -> Cell {
+             return {r.validity, ""};
+         }},
+        {"technique",
+         [](const Row& r) -> Cell {
+             return {r.technique, ""};
+         }},
+        {"samples",
+         [](const Row& r) -> Cell {
+             return {r.samples, ""};
+         }},
+        {"blur",
+         [](const Row& r) -> Cell {
+             return {r.blur, ""};
+         }},
+        {"ao_scale",
+         [](const Row& r) -> Cell {
+             return {r.ao_scale, ""};
+         }},
+        {"depth_format",
+         [](const Row& r) -> Cell {
+             return {r.depth_format, ""};
+         }},
+        {"noise",
+         [](const Row& r) -> Cell {
+             return {r.noise, ""};
+         }},
+        {"width",
+         [](const Row& r) -> Cell {
+             return {r.width, ""};
+         }},
+        {"height",
+         [](const Row& r) -> Cell {
+             return {r.height, ""};
+         }},
+        {"device",
+         [](const Row& r) -> Cell {
+             return {r.device, ""};
+         }},
+        {"fitted",
+         [](const Row& r) -> Cell {
+             return {r.fitted, ""};
+         }},
+        {"ms_min",
+         [](const Row& r) -> Cell {
+             return {r.cost.min_ms, ""};
+         }},
+        {"ms_median",
+         [](const Row& r) -> Cell {
+             return {r.cost.median_ms, ""};
+         }},
+        {"ms_p95",
+         [](const Row& r) -> Cell {
+             return {r.cost.p95_ms, ""};
+         }},
+        {"fetches_per_px",
+         [](const Row& r) -> Cell {
+             return {r.fetches_per_px, ""};
+         }},
         {"rmse", [](const Row& r) { return possible(r.error, &Error::rmse); }},
         {"bias", [](const Row& r) { return possible(r.error, &Error::bias); }},
         {"mae", [](const Row& r) { return possible(r.error, &Error::mae); }},
         {"p99", [](const Row& r) { return possible(r.error, &Error::p99); }},
         {"psnr_db", [](const Row& r) { return psnr(r.error); }},
-        {"nonfinite", [](const Row& r) -> Cell { return {r.nonfinite, ""}; }},
-        {"on_front", [](const Row& r) -> Cell { return {r.on_front, ""}; }},
+        {"nonfinite",
+         [](const Row& r) -> Cell {
+             return {r.nonfinite, ""};
+         }},
+        {"on_front",
+         [](const Row& r) -> Cell {
+             return {r.on_front, ""};
+         }},
     };
 }
 
 std::vector<Column> further_columns() {
     return {
-        {"variant", [](const Row& r) -> Cell { return {r.variant, ""}; }},
-        {"published", [](const Row& r) -> Cell { return {r.published, ""}; }},
-        {"parameters", [](const Row& r) -> Cell { return {parameters_of(r), ""}; }},
-        {"timer", [](const Row& r) -> Cell { return {r.timer, ""}; }},
-        {"runs", [](const Row& r) -> Cell { return {r.runs, ""}; }},
-        {"ao_ms_min", [](const Row& r) -> Cell { return {r.accessibility.min_ms, ""}; }},
-        {"ao_ms_median", [](const Row& r) -> Cell { return {r.accessibility.median_ms, ""}; }},
-        {"ao_ms_p95", [](const Row& r) -> Cell { return {r.accessibility.p95_ms, ""}; }},
-        {"denoise_ms_min", [](const Row& r) -> Cell { return {r.denoise.min_ms, ""}; }},
-        {"denoise_ms_median", [](const Row& r) -> Cell { return {r.denoise.median_ms, ""}; }},
-        {"denoise_ms_p95", [](const Row& r) -> Cell { return {r.denoise.p95_ms, ""}; }},
-        {"frame_ms_min", [](const Row& r) -> Cell { return {r.frame.min_ms, ""}; }},
-        {"frame_ms_median", [](const Row& r) -> Cell { return {r.frame.median_ms, ""}; }},
-        {"frame_ms_p95", [](const Row& r) -> Cell { return {r.frame.p95_ms, ""}; }},
+        {"variant",
+         [](const Row& r) -> Cell {
+             return {r.variant, ""};
+         }},
+        {"published",
+         [](const Row& r) -> Cell {
+             return {r.published, ""};
+         }},
+        {"parameters",
+         [](const Row& r) -> Cell {
+             return {parameters_of(r), ""};
+         }},
+        {"timer",
+         [](const Row& r) -> Cell {
+             return {r.timer, ""};
+         }},
+        {"runs",
+         [](const Row& r) -> Cell {
+             return {r.runs, ""};
+         }},
+        {"ao_ms_min",
+         [](const Row& r) -> Cell {
+             return {r.accessibility.min_ms, ""};
+         }},
+        {"ao_ms_median",
+         [](const Row& r) -> Cell {
+             return {r.accessibility.median_ms, ""};
+         }},
+        {"ao_ms_p95",
+         [](const Row& r) -> Cell {
+             return {r.accessibility.p95_ms, ""};
+         }},
+        {"denoise_ms_min",
+         [](const Row& r) -> Cell {
+             return {r.denoise.min_ms, ""};
+         }},
+        {"denoise_ms_median",
+         [](const Row& r) -> Cell {
+             return {r.denoise.median_ms, ""};
+         }},
+        {"denoise_ms_p95",
+         [](const Row& r) -> Cell {
+             return {r.denoise.p95_ms, ""};
+         }},
+        {"frame_ms_min",
+         [](const Row& r) -> Cell {
+             return {r.frame.min_ms, ""};
+         }},
+        {"frame_ms_median",
+         [](const Row& r) -> Cell {
+             return {r.frame.median_ms, ""};
+         }},
+        {"frame_ms_p95",
+         [](const Row& r) -> Cell {
+             return {r.frame.p95_ms, ""};
+         }},
         {"pixels", [](const Row& r) { return possible(r.error, &Error::pixels); }},
         {"interior_rmse", [](const Row& r) { return possible(r.interior, &Error::rmse); }},
         {"interior_bias", [](const Row& r) { return possible(r.interior, &Error::bias); }},
-        {"reference_radius_m", [](const Row& r) -> Cell { return {r.reference_radius_m, ""}; }},
-        {"reference_stderr", [](const Row& r) -> Cell { return {r.truth_stderr, ""}; }},
+        {"reference_radius_m",
+         [](const Row& r) -> Cell {
+             return {r.reference_radius_m, ""};
+         }},
+        {"reference_stderr",
+         [](const Row& r) -> Cell {
+             return {r.truth_stderr, ""};
+         }},
         {"image_rmse", [](const Row& r) { return image(r, &FinalImageError::rmse); }},
         {"image_max", [](const Row& r) { return image(r, &FinalImageError::max); }},
         {"image_yee_failed", [](const Row& r) { return image(r, &FinalImageError::yee_failed); }},

@@ -24,15 +24,15 @@ struct MeasurementRow {
     std::string technique;
     std::string variant;  ///< as the thesis names it: Blizzard24
     int samples = 0;
-    std::string blur;        ///< filter of the accessibility buffer, or none
-    double ao_scale = 1.0;   ///< size of the accessibility buffer over that of the image
+    std::string blur;       ///< filter of the accessibility buffer, or none
+    double ao_scale = 1.0;  ///< size of the accessibility buffer over that of the image
     std::string depth_format;
     std::string noise;  ///< how samples are turned from pixel to pixel
     int width = 0;
     int height = 0;
-    std::string device;  ///< OpenGL's name of what rendered
-    std::string timer;   ///< clock or queries: what the times were taken with
-    bool fitted = false;           ///< false: the values as published
+    std::string device;     ///< OpenGL's name of what rendered
+    std::string timer;      ///< clock or queries: what the times were taken with
+    bool fitted = false;    ///< false: the values as published
     std::string published;  ///< conditions of the study that show just this setting; may be empty
     std::map<std::string, double> parameters;
 
@@ -41,8 +41,8 @@ struct MeasurementRow {
     TimeSummary cost;                 ///< accessibility and filter together
     TimeSummary accessibility;
     TimeSummary denoise;
-    TimeSummary frame;  ///< every pass of the image
-    int runs = 0;       ///< that were timed, after those that were thrown away
+    TimeSummary frame;       ///< every pass of the image
+    int runs = 0;            ///< that were timed, after those that were thrown away
     int fetches_per_px = 0;  ///< the most texture reads that one pixel may make
 
     std::size_t nonfinite = 0;  ///< values of the float buffers that are NaN or infinite

@@ -52,7 +52,8 @@ TargetFacts facts_of(Target target) {
 /// Adds passes and, with them, the targets they write.
 class Planner {
   public:
-    Planner(const SceneNeeds& needs, int width, int height) {
+    Planner(const SceneNeeds& needs, std::string depth_format, int width, int height)
+        : depth_format_(std::move(depth_format)) {
         plan_.width = width;
         plan_.height = height;
         plan_.needs = needs;
@@ -75,16 +76,22 @@ class Planner {
     void add(Target target) {
         const TargetFacts facts = facts_of(target);
         PlannedTarget planned{target, facts.format, plan_.width, plan_.height, 1, 0};
+        std::size_t bytes_per_texel = facts.bytes_per_texel;
+        if (target == Target::kDepth && depth_format_ == "r16f") {
+            planned.format = depth_format_;
+            bytes_per_texel = 2;
+        }
         if (target == Target::kShadow) {
             planned.width = planned.height = plan_.needs.shadow_size;
             planned.layers = plan_.needs.lights;
         }
-        planned.bytes = facts.bytes_per_texel * static_cast<std::size_t>(planned.width) *
+        planned.bytes = bytes_per_texel * static_cast<std::size_t>(planned.width) *
                         static_cast<std::size_t>(planned.height) *
                         static_cast<std::size_t>(planned.layers);
         plan_.targets.push_back(planned);
     }
 
+    std::string depth_format_;
     FramePlan plan_;
 };
 
@@ -165,7 +172,7 @@ FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int
     const bool depth = (accessibility && technique.reads_depth) || needs.lights > 0;
     const bool normal = (accessibility && technique.reads_normal) || lit;
 
-    Planner planner(needs, width, height);
+    Planner planner(needs, choice.depth_format, width, height);
     std::vector<Target> geometry{Target::kVisibility, Target::kAlbedo};
     if (normal) geometry.push_back(Target::kNormal);
     if (depth) geometry.push_back(Target::kDepth);
