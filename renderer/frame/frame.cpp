@@ -3,7 +3,6 @@
 #include "renderer/frame/frame.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -17,8 +16,8 @@ struct GlFormat {
     GLenum type;
 };
 
-GlFormat gl_format(Target target) {
-    switch (target) {
+GlFormat gl_format(const PlannedTarget& planned) {
+    switch (planned.target) {
         case Target::kAlbedo:
             return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kNormal:
@@ -28,6 +27,8 @@ GlFormat gl_format(Target target) {
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kDepth:
         case Target::kOccluderDepth:
+            if (planned.format == "r16f") return {GL_R16F, GL_RED, GL_HALF_FLOAT};
+            return {GL_R32F, GL_RED, GL_FLOAT};
         case Target::kAccessibility:
         case Target::kDenoiseStep:
         case Target::kDenoised:
@@ -48,7 +49,7 @@ GlFormat gl_format(Target target) {
 }
 
 gl::Texture make_texture(const PlannedTarget& planned) {
-    const GLenum internal = gl_format(planned.target).internal;
+    const GLenum internal = gl_format(planned).internal;
     const bool layered =
         planned.target == Target::kShadow || planned.target == Target::kPointShadow;
     gl::Texture texture =
@@ -88,7 +89,7 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
     if (planned == nullptr) {
         throw base::failure("this frame has no {} target", to_string(target));
     }
-    const GlFormat format = gl_format(target);
+    const GlFormat format = gl_format(*planned);
     std::vector<std::uint8_t> bytes(planned->bytes);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(texture(target), 0, format.format, format.type,
@@ -97,12 +98,20 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
 }
 
 std::vector<float> Frame::read_floats(Target target) const {
-    const std::vector<std::uint8_t> bytes = read_bytes(target);
-    std::vector<float> values(bytes.size() / sizeof(float));
+    const PlannedTarget* planned = plan_.find(target);
+    if (planned == nullptr) {
+        throw base::failure("this frame has no {} target", to_string(target));
+    }
+    std::vector<float> stored(static_cast<std::size_t>(planned->width) *
+                              static_cast<std::size_t>(planned->height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture(target), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(stored.size() * sizeof(float)), stored.data());
+    std::vector<float> values(stored.size());
     const auto row = static_cast<std::size_t>(plan_.width);
     for (std::size_t y = 0; y < static_cast<std::size_t>(plan_.height); ++y) {
-        std::memcpy(&values[(plan_.height - 1 - y) * row], &bytes[y * row * sizeof(float)],
-                    row * sizeof(float));
+        std::copy_n(&stored[y * row], row,
+                    &values[(static_cast<std::size_t>(plan_.height) - 1 - y) * row]);
     }
     return values;
 }

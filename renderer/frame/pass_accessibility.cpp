@@ -12,8 +12,9 @@ constexpr GLfloat kOpen[] = {1.0F, 1.0F, 1.0F, 1.0F};
 
 void Renderer::run_accessibility(Job& job) {
     const Technique& technique = *find_technique(job.choice.technique);
-    gl::Program& shader = program("passes/full_screen.vert.glsl", technique.shader,
-                                  {"SAMPLES " + std::to_string(job.choice.samples)});
+    Defines defines{"SAMPLES " + std::to_string(job.choice.samples)};
+    if (job.choice.unclamped) defines.emplace_back("UNCLAMPED");
+    gl::Program& shader = program("passes/full_screen.vert.glsl", technique.shader, defines);
     attach(job, {Target::kAccessibility}, job.plan.seen_by_technique(Target::kVisibility));
     glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kOpen);
     job.set_view(shader);

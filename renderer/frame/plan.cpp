@@ -66,7 +66,9 @@ class Planner {
   public:
     Planner(const SceneNeeds& needs, const TechniqueChoice& choice, const FrameOptions& options,
             int width, int height)
-        : technique_(*find_technique(choice.technique)), denoise_(*find_denoise(choice.denoise)) {
+        : depth_format_(choice.depth_format),
+          technique_(*find_technique(choice.technique)),
+          denoise_(*find_denoise(choice.denoise)) {
         plan_.width = width * options.supersampling;
         plan_.height = height * options.supersampling;
         plan_.image_width = width;
@@ -99,6 +101,12 @@ class Planner {
     void add(Target target) {
         const TargetFacts facts = facts_of(target);
         PlannedTarget planned{target, facts.format, plan_.width, plan_.height, 1, 0};
+        std::size_t bytes_per_texel = facts.bytes_per_texel;
+        if ((target == Target::kDepth || target == Target::kOccluderDepth) &&
+            depth_format_ == "r16f") {
+            planned.format = depth_format_;
+            bytes_per_texel = 2;
+        }
         if (target == Target::kShadow) {
             planned.width = planned.height = plan_.needs.shadow_size;
             planned.layers = plan_.needs.lights;
@@ -111,7 +119,7 @@ class Planner {
             planned.width = plan_.image_width;
             planned.height = plan_.image_height;
         }
-        planned.bytes = facts.bytes_per_texel * static_cast<std::size_t>(planned.width) *
+        planned.bytes = bytes_per_texel * static_cast<std::size_t>(planned.width) *
                         static_cast<std::size_t>(planned.height) *
                         static_cast<std::size_t>(planned.layers);
         plan_.targets.push_back(planned);
@@ -124,6 +132,7 @@ class Planner {
     }
     [[nodiscard]] bool denoised() const { return accessibility_ && denoise_.passes > 0; }
 
+    const std::string depth_format_;
     const Technique& technique_;
     const Denoise& denoise_;
     bool accessibility_ = false;

@@ -17,7 +17,8 @@ namespace obscura::renderer {
 enum class Target {
     kAlbedo,          ///< srgb8_alpha8: albedo, specular intensity
     kNormal,          ///< rgba8: view-space normal, specular power / 255
-    kDepth,           ///< r32f: positive view distance in metres, kBackgroundDepth_m where empty
+    kDepth,           ///< r32f or r16f: positive view distance in metres; where empty,
+                      ///< kBackgroundDepth_m, in 16 bits infinity
     kVisibility,      ///< depth24: which triangle is in front, and which pixels are empty
     kShadow,          ///< depth32f, one layer a directional light
     kPointShadow,     ///< depth32f, six layers a point light: +X -X +Y -Y +Z -Z

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/job.h"
+#include "renderer/gl/timestamps.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/sampling.h"
 
@@ -135,13 +136,19 @@ Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Ca
     };
     set_known_state();
     glFinish();
+    gl::TimestampQueries timestamps(2 * plan.passes.size());
     for (const PlannedPass& planned : plan.passes) {
+        timestamps.mark();
         const auto start = std::chrono::steady_clock::now();
         (this->*kRuns.at(planned.pass))(job);
+        timestamps.mark();
         glFinish();
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;
-        frame.times.push_back({planned.pass, spent.count()});
+        frame.times.push_back({planned.pass, spent.count(), 0.0});
+    }
+    for (std::size_t i = 0; i < frame.times.size(); ++i) {
+        frame.times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glUseProgram(0);
