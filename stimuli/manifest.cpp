@@ -21,6 +21,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kSides{"a", "b"};
 
+/// null where there is none.
+Json to_json(const ManifestToneMapping& tone) {
+    if (tone.curve.empty()) return nullptr;
+    return {{"curve", tone.curve}, {"exposure", tone.exposure}, {"white", tone.white}};
+}
+
+ManifestToneMapping tone_mapping_from(const Json& json) {
+    if (json.is_null()) return {};
+    return {json.at("curve"), json.at("exposure"), json.at("white")};
+}
+
 Json to_json(const ManifestImage& image) {
     return {{"file", image.file},
             {"sha256", image.sha256},
@@ -36,6 +47,8 @@ Json to_json(const ManifestImage& image) {
             {"denoise", image.denoise},
             {"width", image.width},
             {"height", image.height},
+            {"supersampling", image.supersampling},
+            {"tone_mapping", to_json(image.tone_mapping)},
             {"passes", image.passes},
             {"milliseconds", image.milliseconds},
             {"inputs_sha256", image.inputs_sha256}};
@@ -57,6 +70,8 @@ ManifestImage image_from(const Json& json) {
     json.at("denoise").get_to(image.denoise);
     json.at("width").get_to(image.width);
     json.at("height").get_to(image.height);
+    image.supersampling = json.value("supersampling", 1);  // older manifests have neither
+    image.tone_mapping = tone_mapping_from(json.value("tone_mapping", Json()));
     json.at("passes").get_to(image.passes);
     json.at("milliseconds").get_to(image.milliseconds);
     json.at("inputs_sha256").get_to(image.inputs_sha256);
@@ -149,7 +164,7 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
     const StudyScene& scene = study.scene_of(*condition);
     return image.source == scene.source && image.camera == scene.camera &&
            image.validity == to_string(scene.validity) && image.width == study.width &&
-           image.height == study.height &&
+           image.height == study.height && image.supersampling == study.supersampling &&
            same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
 }
 

@@ -12,6 +12,13 @@
 
 namespace obscura::stimuli {
 
+/// How scene light became display light; no operator: values above 1 were clipped.
+struct ManifestToneMapping {
+    std::string curve;  ///< reinhard, filmic, aces or clip; empty: none
+    double exposure = 1.0;
+    double white = 1.0;
+};
+
 /// One stimulus image as it was made.
 struct ManifestImage {
     std::string file;    ///< relative to the manifest's folder, CONDITION-a.png
@@ -28,6 +35,8 @@ struct ManifestImage {
     std::string denoise;
     int width = 0;
     int height = 0;
+    int supersampling = 1;
+    ManifestToneMapping tone_mapping;
     std::vector<std::string> passes;
     double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included
     std::string

@@ -9,9 +9,11 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/frame/everything.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
+#include "stimuli/buffers.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -36,6 +38,12 @@ std::string hash_of_environment() {
         }
     }
     return base::sha256_hex(all);
+}
+
+ManifestToneMapping tone_mapping_of(const renderer::Lighting& lighting) {
+    if (!lighting.tone_mapping) return {};
+    const renderer::ToneMapping& tone = *lighting.tone_mapping;
+    return {std::string(to_string(tone.curve)), tone.exposure, tone.white};
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ void StimulusRenderer::load(const std::string& source) {
     loaded_.source = source;
 }
 
-renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
     load(scene.source);
     const renderer::Camera* camera = loaded_.scene.find_camera(scene.camera);
@@ -79,11 +87,48 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
     if (!lightings_.contains(key)) {
         lightings_.emplace(key, builtin(scene.source).lighting(scene.validity));
     }
-    const renderer::Lighting& lighting = lightings_.at(key);
+    return {lightings_.at(key), *camera};
+}
+
+renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
+                                         const renderer::FrameOptions& options) {
+    const View view = view_of(stimulus);
     const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(loaded_.scene, lighting), stimulus.choice(),
-                             study_.width, study_.height);
-    return renderer_.render(*loaded_.gpu, lighting, *camera, stimulus.choice(), plan);
+        renderer::plan_frame(renderer::needs_of(loaded_.scene, view.lighting), stimulus.choice(),
+                             study_.width, study_.height, options);
+    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan);
+}
+
+renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+    return render(stimulus, {.supersampling = study_.supersampling});
+}
+
+renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
+    const View view = view_of(stimulus);
+    const renderer::Lighting lighting = renderer::with_everything(view.lighting);
+    const renderer::FramePlan plan = renderer::plan_frame(
+        renderer::needs_of_everything(loaded_.scene, lighting), stimulus.choice(), study_.width,
+        study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
+    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan);
+}
+
+renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {
+    const View view = view_of(stimulus);
+    const renderer::Frame frame = render(stimulus, {.all_buffers = true});
+    renderer::FloatImage image = buffers_of(frame, view.lighting);
+    const auto matrices = renderer::matrices_of(view.camera, study_.width, study_.height);
+    image.matrices["obscura:view"] = column_major(matrices.view_from_world);
+    image.matrices["obscura:projection"] = column_major(matrices.clip_from_view);
+    const ManifestImage facts = describe(stimulus, frame);
+    image.texts["obscura:study"] = study_.name;
+    image.texts["obscura:condition"] = facts.condition;
+    image.texts["obscura:side"] = facts.side;
+    image.texts["obscura:scene"] = facts.source;
+    image.texts["obscura:camera"] = facts.camera;
+    image.texts["obscura:validity"] = facts.validity;
+    image.texts["obscura:variant"] = stimulus.choice().variant_name();
+    image.texts["obscura:inputs_sha256"] = facts.inputs_sha256;
+    return image;
 }
 
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
@@ -104,6 +149,8 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.denoise = choice.denoise;
     image.width = study_.width;
     image.height = study_.height;
+    image.supersampling = study_.supersampling;
+    image.tone_mapping = tone_mapping_of(lightings_.at({scene.source, scene.validity}));
     for (const renderer::PassTime& time : frame.times) {
         image.passes.push_back(renderer::to_string(time.pass));
         image.milliseconds += time.milliseconds;
@@ -124,7 +171,8 @@ std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
                          {"parameters", parameters_of(choice)},
                          {"denoise", choice.denoise},
                          {"width", study_.width},
-                         {"height", study_.height}};
+                         {"height", study_.height},
+                         {"supersampling", study_.supersampling}};
     return base::sha256_hex(inputs.dump());
 }
 
