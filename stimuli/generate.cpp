@@ -173,7 +173,7 @@ std::string explanation_of(const Study& study, const Stimulus& stimulus,
     std::string text =
         fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
                     stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
-                    scene.camera, plan.width, plan.height);
+                    scene.camera, plan.image_width, plan.image_height);
     for (const renderer::PassTime& time : frame.times) {
         text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
                             time.milliseconds);

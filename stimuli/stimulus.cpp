@@ -177,7 +177,7 @@ std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
 }
 
 RgbImage image_of(const renderer::Frame& frame) {
-    return {frame.plan().width, frame.plan().height, frame.read_display()};
+    return {frame.plan().image_width, frame.plan().image_height, frame.read_display()};
 }
 
 }  // namespace obscura::stimuli
