@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
+#include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
@@ -82,6 +83,9 @@ class ReferenceScene {
   private:
     std::unique_ptr<RayScene> rays_;
 };
+
+/// What the technique `reference` asks for: its samples are rays. The choice must have no problems.
+[[nodiscard]] ReferenceOptions reference_options(const TechniqueChoice& choice);
 
 /// Throws bad input naming the option, its value and what is allowed.
 void check_options(const ReferenceOptions& options);
