@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "app/commands/closed_forms_table.h"
 #include "app/commands/list.h"
@@ -32,7 +33,7 @@ struct AoOptions {
     std::string camera;
     std::string validity;
     std::string technique;
-    int samples = -1;  ///< -1: the technique's standard
+    std::optional<int> samples;  ///< the technique's standard
     std::vector<std::string> settings;
     std::string denoise = "none";
     std::string size = "1280x720";
@@ -42,7 +43,8 @@ struct AoOptions {
 
 /// What one run is to make.
 struct Wanted {
-    const stimuli::SourcedScene& scene;
+    const stimuli::SceneSource& source;
+    const renderer::Scene& scene;
     const renderer::Camera& camera;
     stimuli::Validity validity;
     const TechniqueChoice& choice;
@@ -93,7 +95,7 @@ TechniqueChoice choice_of(const AoOptions& options) {
     choice.denoise = options.denoise;
     const renderer::Technique* technique = renderer::find_technique(options.technique);
     if (technique != nullptr) {
-        choice.samples = options.samples == -1 ? technique->samples.standard : options.samples;
+        choice.samples = options.samples.value_or(technique->samples.standard);
     }
     for (const std::string& setting : options.settings) {
         const std::size_t equals = setting.find('=');
@@ -149,14 +151,13 @@ renderer::ReferenceImage traced(const renderer::Scene& scene, const renderer::Ca
 /// By the passes of a frame, as an image of a study has it.
 std::vector<float> rendered(const Wanted& wanted, const Globals& globals) {
     const renderer::HeadlessContext context;
-    const renderer::GpuScene gpu(wanted.scene.scene);
-    const renderer::Lighting lighting = wanted.scene.lighting(wanted.validity);
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(wanted.scene.scene, lighting), wanted.choice,
-                             wanted.width, wanted.height);
+    const renderer::GpuScene gpu(wanted.scene);
+    const renderer::Lighting lighting = wanted.source.lighting(wanted.validity);
+    const renderer::FramePlan plan = renderer::plan_frame(
+        renderer::needs_of(wanted.scene, lighting), wanted.choice, wanted.width, wanted.height);
     const auto trace = [&](const renderer::Camera& camera, int width, int height,
                            const TechniqueChoice& choice) {
-        return traced(wanted.scene.scene, camera, width, height, choice, globals).accessibility;
+        return traced(wanted.scene, camera, width, height, choice, globals).accessibility;
     };
     renderer::Renderer renderer;
     const renderer::Frame frame =
@@ -178,7 +179,7 @@ std::array<float, 16> flat(const glm::mat4& matrix) {
 /// Says of the image what it is of.
 void describe(const Wanted& wanted, FloatImage& image) {
     const TechniqueChoice& choice = wanted.choice;
-    image.texts = {{"obscura:scene", wanted.scene.id},
+    image.texts = {{"obscura:scene", wanted.source.id},
                    {"obscura:camera", wanted.camera.name},
                    {"obscura:validity", std::string(to_string(wanted.validity))},
                    {"obscura:technique", choice.technique},
@@ -195,7 +196,7 @@ void describe(const Wanted& wanted, FloatImage& image) {
 
 base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     if (options.closed_forms) {
-        print_closed_forms(options.samples == -1 ? 4096 : options.samples, 1);
+        print_closed_forms(options.samples.value_or(4096), 1);
         return base::ExitCode::kDone;
     }
     for (const auto& [name, value] : {std::pair("--scene", &options.scene),
@@ -207,19 +208,18 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     parse_size(options.size, image.width, image.height);
     const TechniqueChoice choice = choice_of(options);
     require_writable_file(options.out);
-    const stimuli::SourcedScene scene = stimuli::load_scene_source(options.scene);
-    const Wanted wanted{scene,
-                        scene.camera(options.camera),
-                        scene.level(options.validity),
-                        choice,
-                        image.width,
-                        image.height};
+    const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
+    const std::string camera = source.camera_for(options.camera);
+    const stimuli::Validity validity = source.level_for(options.validity);
+    const renderer::Scene scene = source.build();
+    const Wanted wanted{source,      scene,       *scene.find_camera(camera), validity, choice,
+                        image.width, image.height};
     describe(wanted, image);
     const bool as_traced =
         renderer::find_technique(choice.technique)->ray_traced && choice.denoise == "none";
     if (as_traced) {
         renderer::ReferenceImage truth =
-            traced(scene.scene, wanted.camera, image.width, image.height, choice, globals);
+            traced(scene, wanted.camera, image.width, image.height, choice, globals);
         image.channels = {{"ao.Y", std::move(truth.accessibility)},
                           {"ao.stderr", std::move(truth.standard_error)}};
     } else {
@@ -227,7 +227,7 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     }
     base::write_file_atomically(options.out, renderer::encode_exr(image));
     spdlog::info("{}: accessibility by {} of scene {} from camera {}, {}x{}", options.out,
-                 choice.variant_name(), scene.id, wanted.camera.name, image.width, image.height);
+                 choice.variant_name(), source.id, wanted.camera.name, image.width, image.height);
     return base::ExitCode::kDone;
 }
 

@@ -229,12 +229,28 @@ TracedPixel PixelTracer::gathered(const Surface& surface) const {
             static_cast<float>(surface.depth_m)};
 }
 
+void PixelTracer::append_last_rays(std::vector<RTCRay>& rays) const {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(sampler_.rays()); ++k) {
+        RTCRay ray{};
+        ray.org_x = start_m_.x;
+        ray.org_y = start_m_.y;
+        ray.org_z = start_m_.z;
+        ray.dir_x = x_[k];
+        ray.dir_y = y_[k];
+        ray.dir_z = z_[k];
+        ray.tfar = static_cast<float>(options_.radius_m);
+        ray.mask = ~0U;
+        rays.push_back(ray);
+    }
+}
+
 TracedPixel PixelTracer::trace(int x, int y) {
     Surface surface;
     if (!find_surface(x, y, surface)) return {1.0F, 0.0F, kBackgroundDepth_m};
     const std::uint64_t scramble = mixed_bits(options_.seed) ^ pixels_.number(x, y);
     sampler_.directions(mixed_bits(scramble), x_.data(), y_.data(), z_.data());
     turn_directions(surface);
+    start_m_ = surface.start_m;
     if (options_.falloff == Falloff::kNone) {
         cast_occlusion(surface);
     } else {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "stimuli/scenes/scene_source.h"
 
-#include <algorithm>
-
 #include "renderer/base/error.h"
 #include "stimuli/scenes/builtin_scene.h"
 
@@ -17,16 +15,17 @@ void append(std::string& list, std::string_view name) {
 
 }  // namespace
 
-const renderer::Camera& SourcedScene::camera(const std::string& name) const {
-    if (name.empty() && !scene.cameras.empty()) return scene.cameras.front();
-    if (const renderer::Camera* found = scene.find_camera(name)) return *found;
+std::string SceneSource::camera_for(const std::string& name) const {
+    if (name.empty()) return cameras.front();
     std::string known;
-    for (const renderer::Camera& candidate : scene.cameras) append(known, candidate.name);
-    throw base::bad_input("--camera: scene {} has no camera \"{}\"; it has {}", id, name,
-                          known.empty() ? "none" : known);
+    for (const std::string& camera : cameras) {
+        if (camera == name) return camera;
+        append(known, camera);
+    }
+    throw base::bad_input("--camera: scene {} has no camera \"{}\"; it has {}", id, name, known);
 }
 
-Validity SourcedScene::level(const std::string& name) const {
+Validity SceneSource::level_for(const std::string& name) const {
     if (name.empty()) return levels.front();
     std::string known;
     for (const Validity level : levels) {
@@ -36,18 +35,13 @@ Validity SourcedScene::level(const std::string& name) const {
     throw base::bad_input("--validity: scene {} has no level \"{}\"; it has {}", id, name, known);
 }
 
-SourcedScene load_scene_source(const std::string& source) {
-    const BuiltinScene* builtin = find_builtin_scene(source);
-    if (builtin == nullptr) {
-        std::string known;
-        for (const BuiltinScene& scene : builtin_scenes()) append(known, scene.id);
-        throw base::bad_input("--scene: there is no scene \"{}\"; built in are {}", source, known);
+SceneSource find_scene_source(const std::string& source) {
+    if (const BuiltinScene* builtin = find_builtin_scene(source)) {
+        return {builtin->id, builtin->cameras, builtin->levels, builtin->build, builtin->lighting};
     }
-    SourcedScene sourced{builtin->id, builtin->build(), builtin->levels, builtin->lighting};
-    if (sourced.scene.triangle_count() == 0) {
-        throw base::bad_input("--scene: scene {} has no triangles", source);
-    }
-    return sourced;
+    std::string known;
+    for (const BuiltinScene& scene : builtin_scenes()) append(known, scene.id);
+    throw base::bad_input("--scene: there is no scene \"{}\"; built in are {}", source, known);
 }
 
 }  // namespace obscura::stimuli

@@ -12,21 +12,22 @@
 
 namespace obscura::stimuli {
 
-/// A scene with its light, wherever it comes from.
-struct SourcedScene {
+/// A scene with its light, wherever it comes from, before it is built.
+struct SceneSource {
     std::string id;
-    renderer::Scene scene;
-    std::vector<Validity> levels;                          ///< at least one
+    std::vector<std::string> cameras;  ///< at least one, as build() names them
+    std::vector<Validity> levels;      ///< at least one
+    std::function<renderer::Scene()> build;
     std::function<renderer::Lighting(Validity)> lighting;  ///< for one of `levels`
 
-    /// The camera of that name, the first for "". Throws bad input naming those there are.
-    [[nodiscard]] const renderer::Camera& camera(const std::string& name) const;
+    /// The name itself, the first camera's for "". Throws bad input naming those there are.
+    [[nodiscard]] std::string camera_for(const std::string& name) const;
     /// The level of that name, the first for "". Throws bad input naming those there are.
-    [[nodiscard]] Validity level(const std::string& name) const;
+    [[nodiscard]] Validity level_for(const std::string& name) const;
 };
 
-/// Builds the scene that a command line calls by `source`: the id of a built-in scene. Throws bad
-/// input naming the built-in scenes when there is no such scene, and for one without triangles.
-[[nodiscard]] SourcedScene load_scene_source(const std::string& source);
+/// What a command line calls by `--scene`: the id of a built-in scene. Throws bad input naming the
+/// built-in scenes when there is no such scene.
+[[nodiscard]] SceneSource find_scene_source(const std::string& source);
 
 }  // namespace obscura::stimuli
