@@ -69,7 +69,6 @@ class PixelTracer {
         double depth_m;
     };
     [[nodiscard]] bool find_surface(int x, int y, Surface& surface) const;
-    void turn_directions(const Surface& surface);
     void cast_occlusion(const Surface& surface);
     void cast_falloff(const Surface& surface);
     [[nodiscard]] TracedPixel gathered(const Surface& surface) const;

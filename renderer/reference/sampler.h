@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 namespace obscura::renderer {
@@ -20,18 +21,25 @@ class HemisphereSampler {
 
     [[nodiscard]] int rays() const { return rays_; }
     /// 8 from 32 rays on, at least four rays each; fewer below.
-    [[nodiscard]] int parts() const { return static_cast<int>(first_.size()) - 1; }
-    /// The first ray of a part; of part parts(), the number of rays.
-    [[nodiscard]] int first_of(int part) const { return first_[static_cast<std::size_t>(part)]; }
+    [[nodiscard]] int parts() const { return static_cast<int>(lengths_.size()); }
+    /// Which part each ray belongs to, and how many rays each part has.
+    [[nodiscard]] const std::vector<std::uint8_t>& part_of_ray() const { return part_; }
+    [[nodiscard]] int length_of(int part) const { return lengths_[static_cast<std::size_t>(part)]; }
 
-    /// All of a pixel's directions as unit vectors; `x`, `y` and `z` have room for rays() values.
-    /// `scramble` differs from pixel to pixel.
-    void directions(std::uint64_t scramble, float* x, float* y, float* z) const;
+    /// All of a pixel's directions as unit vectors, the hemisphere's axes being the columns of
+    /// `frame`; `x`, `y` and `z` have room for rays() values. `scramble` differs from pixel to
+    /// pixel. Neighbours in the list are neighbours on the hemisphere: points that share leading
+    /// bits share them after Owen's scrambling too, so one order serves every pixel.
+    void directions(std::uint64_t scramble, const glm::mat3& frame, float* x, float* y,
+                    float* z) const;
 
   private:
     int rays_;
-    std::vector<int> first_;            ///< of each part, and rays_
-    std::vector<std::uint32_t> sobol_;  ///< second dimension, bits reversed; the first is the index
+    std::vector<int> lengths_;  ///< of each part
+    // By ray, in the order of the list.
+    std::vector<std::uint32_t> first_;   ///< first dimension, bits reversed
+    std::vector<std::uint32_t> second_;  ///< second dimension, bits reversed
+    std::vector<std::uint8_t> part_;
 };
 
 /// A hash of 64 bits (SplitMix64's finaliser, Steele, Lea and Flood 2014).

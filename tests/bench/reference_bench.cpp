@@ -94,7 +94,8 @@ void bare_single(benchmark::State& state, const std::string& id) {
 }
 
 template <typename Packet, int kSize,
-          void (*kOccluded)(const int*, RTCScene, RTCIntersectContext*, Packet*)>
+          void (*kOccluded)(const int*, RTCScene, RTCIntersectContext*, Packet*),
+          RTCIntersectContextFlags kFlags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>
 void bare_packets(benchmark::State& state, const std::string& id) {
     const Prepared& data = prepared(id);
     const Flushed flushed;
@@ -116,6 +117,7 @@ void bare_packets(benchmark::State& state, const std::string& id) {
     alignas(64) int valid[kSize];
     std::fill(std::begin(valid), std::end(valid), -1);
     RayScene::Context context(false);
+    context.flags = kFlags;
     for (auto unused : state) {
         for (const Packet& packet : packets) {
             Packet copy = packet;
@@ -126,10 +128,12 @@ void bare_packets(benchmark::State& state, const std::string& id) {
     count_rays(state, data);
 }
 
+template <RTCIntersectContextFlags kFlags>
 void bare_stream(benchmark::State& state, const std::string& id) {
     const Prepared& data = prepared(id);
     const Flushed flushed;
     RayScene::Context context(false);
+    context.flags = kFlags;
     std::vector<RTCRay> stream(kRays);
     for (auto unused : state) {
         for (std::size_t first = 0; first < data.rays.size(); first += kRays) {
@@ -161,7 +165,10 @@ void register_for(const std::string& id) {
     add("bare_4", bare_packets<RTCRay4, 4, rtcOccluded4>);
     add("bare_8", bare_packets<RTCRay8, 8, rtcOccluded8>);
     add("bare_16", bare_packets<RTCRay16, 16, rtcOccluded16>);
-    add("bare_stream", bare_stream);
+    add("bare_16_coherent",
+        bare_packets<RTCRay16, 16, rtcOccluded16, RTC_INTERSECT_CONTEXT_FLAG_COHERENT>);
+    add("bare_stream", bare_stream<RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>);
+    add("bare_stream_coherent", bare_stream<RTC_INTERSECT_CONTEXT_FLAG_COHERENT>);
     add("reference", reference);
 }
 

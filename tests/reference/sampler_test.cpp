@@ -16,7 +16,7 @@ namespace {
 struct Directions {
     explicit Directions(int rays, std::uint64_t scramble = 5)
         : x(static_cast<std::size_t>(rays)), y(x), z(x) {
-        HemisphereSampler(rays).directions(scramble, x.data(), y.data(), z.data());
+        HemisphereSampler(rays).directions(scramble, glm::mat3(1.0F), x.data(), y.data(), z.data());
     }
     std::vector<float> x, y, z;
 };
@@ -90,17 +90,33 @@ TEST(HemisphereSampler, KeepsOnePointInEveryElementaryInterval) {
     }
 }
 
+TEST(HemisphereSampler, ListsNeighboursTogether) {
+    const Directions d(256);
+    // Sixteen in a row lie in one of sixteen cells of the square.
+    for (std::size_t first = 0; first < 256; first += 16) {
+        std::set<std::pair<int, int>> cells;
+        for (std::size_t i = first; i < first + 16; ++i) {
+            const auto [u, v] = square_of(d.x[i], d.y[i]);
+            cells.emplace(static_cast<int>(u * 4.0), static_cast<int>(v * 4.0));
+        }
+        EXPECT_EQ(cells.size(), 1U);
+    }
+}
+
 TEST(HemisphereSampler, SplitsAnyNumberOfRaysIntoPartsOfNearlyTheSameLength) {
     for (const int rays : {1, 2, 3, 7, 8, 15, 16, 31, 32, 33, 100, 65536}) {
         const HemisphereSampler sampler(rays);
-        EXPECT_EQ(sampler.first_of(0), 0);
-        EXPECT_EQ(sampler.first_of(sampler.parts()), rays);
+        std::vector<int> counted(static_cast<std::size_t>(sampler.parts()));
+        for (const std::uint8_t part : sampler.part_of_ray()) ++counted.at(part);
+        int sum = 0;
         for (int part = 0; part < sampler.parts(); ++part) {
-            const int length = sampler.first_of(part + 1) - sampler.first_of(part);
+            const int length = sampler.length_of(part);
+            EXPECT_EQ(counted[static_cast<std::size_t>(part)], length);
             EXPECT_GE(length, rays / sampler.parts());
             EXPECT_LE(length, rays / sampler.parts() + 1);
-            EXPECT_GE(length, 1);
+            sum += length;
         }
+        EXPECT_EQ(sum, rays);
         EXPECT_EQ(sampler.parts() >= 2, rays >= 2);
     }
 }
