@@ -135,6 +135,9 @@ bool PixelTracer::find_surface(int x, int y, Surface& surface) const {
 
 void PixelTracer::cast_occlusion(const Surface& surface) {
     RayScene::Context context(false);
+    // Sixteen neighbours of the sampler's list. Of single rays, packets of 4, 8 and 16 and streams,
+    // each with and without this flag, the quickest on two of the built-in scenes of three.
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     const auto far = static_cast<float>(options_.radius_m);
     const int rays = sampler_.rays();
     alignas(64) int valid[kPacket];
