@@ -90,13 +90,25 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     return {lightings_.at(key), *camera};
 }
 
+renderer::TracedAccessibility StimulusRenderer::tracer() {
+    return [this](const renderer::Camera& camera, int width, int height,
+                  const renderer::TechniqueChoice& choice) {
+        if (!loaded_.reference) {
+            loaded_.reference = std::make_unique<renderer::ReferenceScene>(loaded_.scene);
+        }
+        return loaded_.reference->trace(camera, width, height, renderer::reference_options(choice))
+            .accessibility;
+    };
+}
+
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options) {
     const View view = view_of(stimulus);
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(loaded_.scene, view.lighting), stimulus.choice(),
                              study_.width, study_.height, options);
-    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan);
+    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
+                            tracer());
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
@@ -109,7 +121,7 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const renderer::FramePlan plan = renderer::plan_frame(
         renderer::needs_of_everything(loaded_.scene, lighting), stimulus.choice(), study_.width,
         study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
-    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan);
+    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {

@@ -10,6 +10,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/exr.h"
+#include "renderer/reference/reference.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
@@ -63,6 +64,7 @@ class StimulusRenderer {
         std::string source;
         renderer::Scene scene;
         std::unique_ptr<renderer::GpuScene> gpu;
+        std::unique_ptr<renderer::ReferenceScene> reference;  ///< once an image needs it
     };
     /// The scene, ready to be drawn, its light and the view.
     struct View {
@@ -70,6 +72,8 @@ class StimulusRenderer {
         const renderer::Camera& camera;
     };
     View view_of(const Stimulus& stimulus);
+    /// Traces rays through the scene that is loaded, for the technique that asks for it.
+    renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options);
     void load(const std::string& source);
     [[nodiscard]] const BuiltinScene& builtin(const std::string& source) const;
