@@ -180,8 +180,10 @@ void Planner::plan_accessibility() {
         }
         pass(Pass::kOccluders, reads, writes);
     } else {
-        leave_out("occluders", needs().blended ? "blended surfaces are asked not to occlude"
-                                               : "no material is blended");
+        leave_out("occluders", !needs().blended ? "no material is blended"
+                               : !technique_.reads_depth
+                                   ? "the technique reads no depth"
+                                   : "blended surfaces are asked not to occlude");
     }
     if (!accessibility_) {
         leave_out("accessibility", "the technique computes none");
