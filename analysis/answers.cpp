@@ -51,4 +51,14 @@ void AnswerTable::add(const TrialRecord& trial) {
     answers.push_back(answer);
 }
 
+AnswerTable read_answers(Store& store, const std::string& url) {
+    AnswerTable table;
+    table.source = url;
+    store.of_one_moment([&] {
+        store.each_session([&](const SessionRecord& session) { table.add(session); });
+        store.each_trial([&](const TrialRecord& trial, const SessionRecord&) { table.add(trial); });
+    });
+    return table;
+}
+
 }  // namespace obscura::analysis

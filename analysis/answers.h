@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "analysis/store/records.h"
+#include "analysis/store/store.h"
 
 namespace obscura::analysis {
 
@@ -99,5 +99,8 @@ class AnswerTable {
     std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> condition_places_;
     std::unordered_map<std::uint32_t, std::uint32_t> session_places_;  ///< by name, of records
 };
+
+/// The answers of a store, all of one moment, read a row at a time. `url` stands for it.
+[[nodiscard]] AnswerTable read_answers(Store& store, const std::string& url);
 
 }  // namespace obscura::analysis
