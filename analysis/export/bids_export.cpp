@@ -50,8 +50,22 @@ class Labels {
     std::set<std::string> taken_;
 };
 
+/// Descriptions that say how a table of BIDS writes what is not known.
+template <typename Row>
+std::vector<ExportColumn<Row>> bids_columns(const ExportSource& source,
+                                            const ExportTable<Row>& table) {
+    auto columns = source.columns(table);
+    constexpr std::string_view kEmpty = "empty:";
+    for (auto& column : columns) {
+        const auto at = column.description.find(kEmpty);
+        if (at == std::string::npos) continue;
+        column.description.replace(at, kEmpty.size(), std::string(kUnknown) + ':');
+    }
+    return columns;
+}
+
 std::vector<ExportColumn<ParticipantRecord>> participant_columns(const ExportSource& source) {
-    auto columns = source.columns(participants_export());
+    auto columns = bids_columns(source, participants_export());
     for (auto& column : columns) {
         if (column.name == "participant_id") {
             column.description = "Participant, the name of the folder";
@@ -76,7 +90,7 @@ void append_file(const std::string* file, std::string& out) {
 
 /// The columns of a file of answers; the standard's own names where it has them.
 std::vector<ExportColumn<TrialRow>> trial_columns(const ExportSource& source) {
-    auto columns = source.columns(trials_export());
+    auto columns = bids_columns(source, trials_export());
     std::erase_if(columns, [](const auto& column) {
         return column.name == "participant_id" || column.name == "session_id" ||
                column.name == "exclusion";
@@ -149,7 +163,7 @@ class BidsExport {
   public:
     explicit BidsExport(const ExportJob& job)
         : job_(job),
-          session_columns_(job.source.columns(sessions_export())),
+          session_columns_(bids_columns(job.source, sessions_export())),
           columns_(trial_columns(job.source)) {}
 
     void run() {
@@ -263,15 +277,15 @@ class BidsExport {
     void write_stimuli() {
         add_studies(job_, "stimuli");
         for (const ExportedStudy& study : job_.options.studies) {
-            std::set<std::string> added;
-            for (const auto& [sha256, file] : study.image_of_sha256) {
-                if (!added.insert(file).second) continue;
-                const std::string bytes = base::read_file(study.image_folder / file);
-                if (base::sha256_hex(bytes) != sha256) {
-                    throw base::bad_input("{}: the image is not the one of the manifest",
-                                          (study.image_folder / file).string());
+            for (const ExportedImage& image : study.images) {
+                const std::filesystem::path file = study.image_folder / image.file;
+                const std::string bytes = base::read_file(file);
+                const std::string sha256 = base::sha256_hex(bytes);
+                if (sha256 != image.sha256) {
+                    throw base::bad_input("{}: its SHA-256 is {}, allowed is the manifest's {}",
+                                          file.string(), sha256, image.sha256);
                 }
-                job_.folder.add(fmt::format("stimuli/{}/{}", study.name, file), bytes);
+                job_.folder.add(fmt::format("stimuli/{}/{}", study.name, image.file), bytes);
             }
         }
     }

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,16 +32,24 @@ inline constexpr std::array kExportFormats{ExportFormat::kCsv, ExportFormat::kTs
 [[nodiscard]] std::string_view to_string(ExportFormat format);
 [[nodiscard]] std::optional<ExportFormat> export_format_from(std::string_view name);
 
+/// An image as the manifest lists it.
+struct ExportedImage {
+    std::string condition;
+    char side = 'A';     ///< 'A' or 'B'
+    std::string file;    ///< in ExportedStudy::image_folder
+    std::string sha256;  ///< of its bytes
+};
+
 /// A study whose sessions are exported, as far as it is at hand.
 struct ExportedStudy {
     std::string name;
     std::string title;  ///< empty: not known, like all below
     std::string question;
     std::string instructions;
-    std::string file_text;                               ///< the study file's bytes
-    std::string manifest_text;                           ///< the bytes of manifest.json
-    std::map<std::string, std::string> image_of_sha256;  ///< hash to file, from the manifest
-    std::filesystem::path image_folder;                  ///< where those files lie
+    std::string file_text;              ///< the study file's bytes
+    std::string manifest_text;          ///< the bytes of manifest.json
+    std::vector<ExportedImage> images;  ///< those of the manifest whose files are there
+    std::filesystem::path image_folder;
 };
 
 struct ExportOptions {

@@ -14,8 +14,10 @@ namespace obscura::analysis {
 ExportSource::ExportSource(Store& store, const ExportOptions& options)
     : store_(store), anonymous_(options.anonymous_seed.has_value()) {
     for (const ExportedStudy& study : options.studies) {
-        for (const auto& [sha256, file] : study.image_of_sha256) {
-            files_[study.name][sha256] = study.name + '/' + file;
+        auto& of_study = images_[study.name];
+        for (const ExportedImage& image : study.images) {
+            of_study[image.condition][image.side == 'A' ? 0 : 1] = {image.sha256,
+                                                                    study.name + '/' + image.file};
         }
     }
     if (anonymous_) read_all(*options.anonymous_seed);
@@ -60,8 +62,8 @@ void ExportSource::each_session(const std::function<void(const SessionRecord&)>&
 void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
                               Exported& exported) {
     const auto row = [&](const TrialRecord& trial, const SessionRecord& session) {
-        const std::string* const first = file_of(session.study, trial.first_sha256);
-        const std::string* const second = file_of(session.study, trial.second_sha256);
+        const std::string* const first = file_of(trial, session, true);
+        const std::string* const second = file_of(trial, session, false);
         if (first == nullptr || second == nullptr) ++exported.unknown_images;
         take({&trial, &session, ++exported.trials, first, second});
     };
@@ -74,11 +76,16 @@ void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
     }
 }
 
-const std::string* ExportSource::file_of(const std::string& study, const std::string& sha256) {
-    const auto files = files_.find(study);
-    if (files == files_.end()) return nullptr;
-    const auto file = files->second.find(sha256);
-    return file == files->second.end() ? nullptr : &file->second;
+const std::string* ExportSource::file_of(const TrialRecord& trial, const SessionRecord& session,
+                                         bool first) const {
+    const auto study = images_.find(session.study);
+    if (study == images_.end()) return nullptr;
+    const auto condition = study->second.find(trial.condition);
+    if (condition == study->second.end()) return nullptr;
+    const bool is_A = (trial.first_shown == 'A') == first;
+    const Image& image = condition->second[is_A ? 0 : 1];
+    return image.sha256 == (first ? trial.first_sha256 : trial.second_sha256) ? &image.file
+                                                                              : nullptr;
 }
 
 }  // namespace obscura::analysis

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -40,14 +41,21 @@ class ExportSource {
 
   private:
     void read_all(std::uint64_t seed);
-    [[nodiscard]] const std::string* file_of(const std::string& study, const std::string& sha256);
+    /// STUDY/FILE of the image that the trial showed on that side; nullptr: not known.
+    [[nodiscard]] const std::string* file_of(const TrialRecord& trial, const SessionRecord& session,
+                                             bool first) const;
 
     Store& store_;
     const bool anonymous_;
     std::vector<ParticipantRecord> participants_;  ///< renamed; only of an anonymous export
     std::vector<SessionRecord> sessions_;
     std::vector<std::string> session_ids_;  ///< in the store
-    std::unordered_map<std::string, std::unordered_map<std::string, std::string>> files_;
+    struct Image {
+        std::string sha256;
+        std::string file;
+    };
+    /// By study, then by condition: A and B.
+    std::unordered_map<std::string, std::unordered_map<std::string, std::array<Image, 2>>> images_;
 };
 
 }  // namespace obscura::analysis

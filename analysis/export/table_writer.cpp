@@ -3,14 +3,32 @@
 #include "analysis/export/table_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace obscura::analysis {
 namespace {
 
+/// The characters for which a field is quoted.
+class Special {
+  public:
+    explicit constexpr Special(std::string_view letters) {
+        for (const char letter : letters) is_[static_cast<unsigned char>(letter)] = true;
+    }
+    [[nodiscard]] bool is_in(std::string_view text) const {
+        return std::any_of(text.begin(), text.end(),
+                           [this](char letter) { return is_[static_cast<unsigned char>(letter)]; });
+    }
+
+  private:
+    std::array<bool, 256> is_{};
+};
+constexpr Special kCsvSpecial(",\"\r\n");
+constexpr Special kTsvSpecial("\t\"\r\n");
+
 /// RFC 4180, 2.5 to 2.7.
-void quote_where_needed(std::string& line, std::size_t begin, const char* special) {
-    if (line.find_first_of(special, begin) == std::string::npos) return;
+void quote_where_needed(std::string& line, std::size_t begin, const Special& special) {
+    if (!special.is_in(std::string_view(line).substr(begin))) return;
     const std::string text = line.substr(begin);
     line.resize(begin);
     line += '"';
@@ -42,10 +60,10 @@ void finish_cell(std::string& line, std::size_t begin, bool number, Layout layou
     const bool known = line.size() > begin;
     switch (layout) {
         case Layout::kCsv:
-            if (!number) quote_where_needed(line, begin, ",\"\r\n");
+            if (!number) quote_where_needed(line, begin, kCsvSpecial);
             break;
         case Layout::kTsv:
-            if (!number) quote_where_needed(line, begin, "\t\"\r\n");
+            if (!number) quote_where_needed(line, begin, kTsvSpecial);
             break;
         case Layout::kBidsTsv:
             if (!known) line += "n/a";

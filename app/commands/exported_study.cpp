@@ -35,7 +35,8 @@ analysis::ExportedStudy exported_study(const std::string& name,
     exported.manifest_text = base::read_file(file);
     for (const stimuli::ManifestImage& image : manifest.images) {
         if (std::filesystem::is_regular_file(images / image.file, ignored)) {
-            exported.image_of_sha256.emplace(image.sha256, image.file);
+            exported.images.push_back(
+                {image.condition, image.side == "a" ? 'A' : 'B', image.file, image.sha256});
         }
     }
     return exported;

@@ -112,7 +112,8 @@ TEST(TrialsFile, SaysEverythingThatIsWrongWithItsPlace) {
                       HasSubstr("column is_A_selected is missing")));
     EXPECT_THAT(refusal_of(""), HasSubstr("the file is empty"));
     EXPECT_THAT(refusal_of(kHeader), HasSubstr("t.csv:1: there is no row below the header"));
-    EXPECT_THAT(refusal_of(kHeader + "ann,x,\"y,1\n"), HasSubstr("t.csv:2: a quote"));
+    EXPECT_THAT(refusal_of(kHeader + "ann,x,\"y,1\n"),
+                HasSubstr("t.csv:2: column 3: '\"y': a quote"));
     EXPECT_THAT(refusal_of(kHeader + "ann,x,y\xFF,1\n"),
                 HasSubstr("t.csv:2: the text is not UTF-8"));
     std::string many = kHeader;
