@@ -2,10 +2,15 @@
 # the top of the project, under the address and undefined-behaviour sanitizers. Its test, labelled
 # unit, begins with the files in tests/fuzz/corpus/NAME and goes on for a minute; what makes it fail
 # lies in the build folder as crash-*. Clang compiles it, since GCC has no fuzzer, and the sources
-# again with it; everything else stays with the project's compiler.
+# again with it; everything else, also what they need of LIBRARIES (targets of the project that are
+# archives, or the linker's words), stays with the project's compiler.
 find_program(OBSCURA_CLANG NAMES clang++ clang++-14 REQUIRED)
 
 function(obscura_fuzz name)
+    # GCC's sanitizers in the archives and Clang's do not go into one program.
+    if(OBSCURA_SANITIZE)
+        return()
+    endif()
     cmake_parse_arguments(PARSE_ARGV 1 fuzz "" "" "LIBRARIES")
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name}.fuzz)
     file(MAKE_DIRECTORY ${folder}/found)
@@ -26,9 +31,19 @@ function(obscura_fuzz name)
             VERBATIM)
         list(APPEND objects ${object})
     endforeach()
+    set(libraries)
+    set(archives)
+    foreach(library IN LISTS fuzz_LIBRARIES)
+        if(TARGET ${library})
+            list(APPEND libraries $<TARGET_FILE:${library}>)
+            list(APPEND archives ${library} $<TARGET_FILE:${library}>)
+        else()
+            list(APPEND libraries ${library})
+        endif()
+    endforeach()
     add_custom_command(OUTPUT ${folder}/${name}
-        COMMAND ${OBSCURA_CLANG} ${flags} ${objects} -o ${folder}/${name} ${fuzz_LIBRARIES}
-        DEPENDS ${objects}
+        COMMAND ${OBSCURA_CLANG} ${flags} ${objects} -o ${folder}/${name} ${libraries}
+        DEPENDS ${objects} ${archives}
         COMMENT "Linking ${name}"
         VERBATIM)
     add_custom_target(${name} ALL DEPENDS ${folder}/${name})
