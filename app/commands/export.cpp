@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <random>
@@ -143,7 +144,10 @@ base::ExitCode export_answers(const Options& options, const Globals& globals) {
                      *wanted.anonymous_seed);
     }
     const analysis::Exported exported = analysis::export_store(store, wanted);
-    if (exported.unknown_images > 0) {
+    const bool has_manifest = std::any_of(
+        wanted.studies.begin(), wanted.studies.end(),
+        [](const analysis::ExportedStudy& study) { return !study.manifest_text.empty(); });
+    if (has_manifest && exported.unknown_images > 0) {
         spdlog::warn("{} showed an image that no manifest lists",
                      counted(exported.unknown_images, "trial"));
     }
