@@ -3,7 +3,6 @@
 #include "analysis/store/database.h"
 
 #include <soci/sqlite3/soci-sqlite3.h>
-#include <sqlite3.h>
 #include <unistd.h>
 
 #include <array>
@@ -42,7 +41,7 @@ constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
 /// third of the time that reading a million trials takes (https://www.sqlite.org/threadsafe.html).
 /// Has no effect, and does no harm, when something opened a database before.
 void open_for_one_thread() {
-    static const int result = sqlite3_config(SQLITE_CONFIG_MULTITHREAD);
+    static const int result = sqlite_api::sqlite3_config(SQLITE_CONFIG_MULTITHREAD);
     (void)result;
 }
 
