@@ -33,7 +33,9 @@ void AnswerTable::add(const SessionRecord& session) {
 }
 
 void AnswerTable::add(const TrialRecord& trial) {
-    const auto session = session_places_.find(names.number_of(trial.session_id));
+    // Most trials are of the session of the one before.
+    if (names[last_session_] != trial.session_id) last_session_ = names.number_of(trial.session_id);
+    const auto session = session_places_.find(last_session_);
     if (session == session_places_.end()) return;
     AnswerEntry answer;
     answer.session = session->second;
@@ -54,10 +56,8 @@ void AnswerTable::add(const TrialRecord& trial) {
 AnswerTable read_answers(Store& store, const std::string& url) {
     AnswerTable table;
     table.source = url;
-    store.of_one_moment([&] {
-        store.each_session([&](const SessionRecord& session) { table.add(session); });
-        store.each_trial([&](const TrialRecord& trial, const SessionRecord&) { table.add(trial); });
-    });
+    store.each_answer([&](const SessionRecord& session) { table.add(session); },
+                      [&](const TrialRecord& trial) { table.add(trial); });
     return table;
 }
 

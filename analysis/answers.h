@@ -98,6 +98,7 @@ class AnswerTable {
   private:
     std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> condition_places_;
     std::unordered_map<std::uint32_t, std::uint32_t> session_places_;  ///< by name, of records
+    std::uint32_t last_session_ = 0;                                   ///< name of a trial's
 };
 
 /// The answers of a store, all of one moment, read a row at a time. `url` stands for it.

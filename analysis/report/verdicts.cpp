@@ -61,8 +61,11 @@ class Family {
 
 std::string corrected_words(const Possible<double>& p_holm, std::size_t tests) {
     if (!p_holm.has_value()) return "";
-    return fmt::format(" ({} after Holm's correction for {} test{})", p_text({*p_holm, -300.0}),
-                       tests, tests == 1 ? "" : "s");
+    constexpr double kSmallest = 1e-290;  // a corrected p carries no logarithm
+    return fmt::format(
+        " ({} after Holm's correction for {} test{})",
+        *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}), tests,
+        tests == 1 ? "" : "s");
 }
 
 bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kSignificance; }
@@ -80,11 +83,14 @@ std::string needed_words(const Analysis& analysis, const std::string& name) {
 }
 
 /// What an interval says where the test says nothing.
-std::string interval_words(const Possible<Bounds>& interval) {
+std::string interval_words(const Possible<Bounds>& interval, bool is_resampled) {
     if (!interval.has_value()) return fmt::format("; no interval, {}", interval.reason);
     const bool is_open = interval->high >= kRelevantShare || interval->low <= 1.0 - kRelevantShare;
-    return fmt::format("; the 95 % interval {:.1f} to {:.1f} % {} a share of {:g} %",
+    return fmt::format("; the 95 % interval {:.1f} to {:.1f} %, {}, {} a share of {:g} %",
                        100.0 * interval->low, 100.0 * interval->high,
+                       is_resampled ? "of participants drawn anew"
+                                    : "in which each participant counts once because his votes "
+                                      "may be alike",
                        is_open ? "does not exclude" : "excludes", 100.0 * kRelevantShare);
 }
 
@@ -112,7 +118,8 @@ Verdict verdict_on(const HypothesisResult& result, const Analysis& analysis,
     verdict.sentence = fmt::format(
         "{}: {}. B was chosen in {} of {} votes ({:.1f} %), {}{}{}.{}", result.name,
         to_string(verdict.conclusion), votes.b, votes.n(), 100.0 * *result.pooled.share_b,
-        pooled_test_words(result), corrected_words(p_holm, tests), interval_words(interval),
+        pooled_test_words(result), corrected_words(p_holm, tests),
+        interval_words(interval, result.resampled.has_value()),
         is_significant(p_holm) ? "" : needed_words(analysis, result.name));
     return verdict;
 }
@@ -155,7 +162,10 @@ std::string pair_words(const ValidityResult& validity) {
     const Comparison* clearest = nullptr;
     for (const Comparison& pair : validity.by_pair) {
         const auto p = p_of(pair);
-        if (p.has_value() && (clearest == nullptr || p->p < p_of(*clearest)->p)) clearest = &pair;
+        if (!p.has_value()) continue;
+        // Of pairs alike, the one between the higher levels.
+        constexpr double kAlike = 1.0 + 1e-9;
+        if (clearest == nullptr || p->p < p_of(*clearest)->p * kAlike) clearest = &pair;
     }
     if (clearest == nullptr) return "";
     return fmt::format(
@@ -193,7 +203,9 @@ Verdict verdict_on_validity(const ValidityResult& validity, const Family& family
         return verdict;
     }
     verdict.sentence += tests;
-    if (widest.comparison != nullptr) verdict.sentence += difference_words(widest);
+    if (widest.comparison != nullptr && verdict.conclusion != Conclusion::kEvidenceFor) {
+        verdict.sentence += difference_words(widest);
+    }
     verdict.sentence += pair_words(validity);
     return verdict;
 }
@@ -227,7 +239,8 @@ std::string verdict_rule() {
         "more often, against where A was; for H3, evidence for. Otherwise: too few participants "
         "to say where the 95 % interval does not exclude a share of B of {:g} or more, or of {:g} "
         "or less (H3: a difference of {:g} between two levels), or fewer than {} participants "
-        "answered; no evidence where it excludes them.",
+        "answered; no evidence where it excludes them. The interval is of participants drawn "
+        "anew, or, from counts, Wilson's with each participant counted once.",
         kSignificance, kRelevantShare, 1.0 - kRelevantShare, kRelevantDifference, kFewestResampled);
 }
 
@@ -235,10 +248,17 @@ Possible<Bounds> verdict_interval(const HypothesisResult& result, const Tally& t
     if (result.resampled.has_value()) return result.resampled;
     const bool knows_participants = !tally.participants.empty();
     if (knows_participants && *tally.n_participants < kFewestResampled) return result.resampled;
-    if (!result.pooled.wilson.has_value()) {
-        return Possible<Bounds>::none(result.pooled.wilson.reason);
+    if (!result.pooled.share_b.has_value()) {
+        return Possible<Bounds>::none(result.pooled.share_b.reason);
     }
-    return Bounds{result.pooled.wilson->low, result.pooled.wilson->high};
+    // All votes of a participant may be alike: each counts once.
+    std::int64_t n = 0;
+    for (const ConditionVotes& condition : tally.conditions) {
+        if (condition.hypothesis == result.name) n = std::max(n, condition.votes.n());
+    }
+    const auto for_b = std::llround(*result.pooled.share_b * static_cast<double>(n));
+    const Possible<Interval> interval = wilson(for_b, n, kConfidence);
+    return Bounds{interval->low, interval->high};
 }
 
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {

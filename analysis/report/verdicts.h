@@ -13,8 +13,10 @@ inline constexpr std::string_view kValidityHypothesis = "H3";
 /// verdict_rule(). Needs hypotheses, validity, resampling and power of the analysis.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const Analysis& analysis);
 
-/// The interval that the verdict on pooled votes rests on: over participants where there is one,
-/// Wilson's where only counts are known, or too many participants to draw from.
+/// The interval that the verdict on pooled votes rests on: of participants drawn anew, or, where
+/// only counts are known or too many participants answered to draw from, Wilson's of as many votes
+/// as one condition has, because all votes of a participant may be alike. No value for fewer than
+/// kFewestResampled participants whose answers are known.
 [[nodiscard]] Possible<Bounds> verdict_interval(const HypothesisResult& result, const Tally& tally);
 
 /// Conclusions that differ between the analysis and that of everybody, each in a sentence.

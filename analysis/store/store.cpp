@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/store/store.h"
 
+#include <algorithm>
+#include <cassert>
+#include <string_view>
+
 #include "analysis/store/checks.h"
 #include "analysis/store/columns.h"
 #include "analysis/store/database.h"
@@ -19,6 +23,19 @@ std::string column_names(const Table<Record>& table, const char* prefix) {
         names += column.name;
     }
     return names;
+}
+
+/// The table with some of its columns.
+template <typename Record>
+Table<Record> part_of(const Table<Record>& table, const std::vector<std::string_view>& names) {
+    Table<Record> part{table.name, {}};
+    for (const Column<Record>& column : table.columns) {
+        if (std::find(names.begin(), names.end(), column.name) != names.end()) {
+            part.columns.push_back(column);
+        }
+    }
+    assert(part.columns.size() == names.size());
+    return part;
 }
 
 template <typename Record>
@@ -354,6 +371,20 @@ void Store::each_participant(const std::function<void(const ParticipantRecord&)>
 
 void Store::each_session(const std::function<void(const SessionRecord&)>& take) {
     impl_->each(sessions_table(), "sessions ORDER BY entry", take);
+}
+
+void Store::each_answer(const std::function<void(const SessionRecord&)>& take_session,
+                        const std::function<void(const TrialRecord&)>& take_trial) {
+    static const auto sessions = part_of(
+        sessions_table(), {"session_id", "participant_id", "kind", "study", "state", "exclusion"});
+    static const auto trials =
+        part_of(trials_table(), {"session_id", "kind", "trial_index", "condition", "hypothesis",
+                                 "validity", "condition_A", "condition_B", "first_shown",
+                                 "is_A_selected", "response_time_s", "expected", "repeats"});
+    of_one_moment([&] {
+        impl_->each(sessions, "sessions ORDER BY entry", take_session);
+        impl_->each(trials, "trials ORDER BY entry", take_trial);
+    });
 }
 
 void Store::each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take) {

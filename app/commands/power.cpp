@@ -28,6 +28,7 @@ struct Options {
     std::optional<std::int64_t> participants;
     std::string curve;
     bool json = false;
+    bool csv = false;
 
     /// What one condition must meet so that it passes Holm's correction whatever the others do.
     [[nodiscard]] double corrected_level() const { return level / conditions; }
@@ -232,8 +233,25 @@ std::string json_of(const Answers& answers, const Options& options) {
     return report.dump(2) + '\n';
 }
 
+/// The curve, a row for each number of participants and share.
+std::string csv_of(const std::vector<Answers::Achieved>& curve) {
+    std::string text =
+        "participants,share,exact_power,exact_true_size,chi_square_power,chi_square_true_size,"
+        "exact_holm_power,exact_holm_true_size\n";
+    for (const Answers::Achieved& at : curve) {
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", at.exact.n, at.share, at.exact.power,
+                            at.exact.true_size, at.chi_square.power, at.chi_square.true_size,
+                            at.corrected.power, at.corrected.true_size);
+    }
+    return text;
+}
+
 base::ExitCode power(const Options& options) {
     check(options);
+    if (options.csv) {
+        fmt::print("{}", csv_of(answers_to(options).curve));
+        return base::ExitCode::kDone;
+    }
     const Answers answers = answers_to(options);
     fmt::print("{}", options.json ? json_of(answers, options) : text_of(answers, options));
     return base::ExitCode::kDone;
@@ -253,9 +271,12 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
         ->capture_default_str();
     app.add_option("--participants", options->participants,
                    "Say what power this number of participants has");
-    app.add_option("--curve", options->curve,
-                   "Power over numbers of participants, FROM:TO or FROM:TO:STEP");
-    app.add_flag("--json", options->json, "Print JSON instead of tables");
+    auto* curve = app.add_option("--curve", options->curve,
+                                 "Power over numbers of participants, FROM:TO or FROM:TO:STEP");
+    auto* json = app.add_flag("--json", options->json, "Print JSON instead of tables");
+    app.add_flag("--csv", options->csv, "Print the curve alone, as CSV")
+        ->needs(curve)
+        ->excludes(json);
     return [options] { return power(*options); };
 }
 

@@ -173,6 +173,14 @@ TEST_F(CommandsTest, PowerSaysWhatIsNeededAndWhatANumberAchieves) {
     EXPECT_EQ(report["curve"][3]["share"], .75);
 }
 
+TEST_F(CommandsTest, PowerGivesItsCurveAsCsv) {
+    const Ending csv = run(power_command(), {"--share", ".75", "--curve", "5:6", "--csv"});
+    EXPECT_EQ(csv.code, ExitCode::kDone) << csv.message;
+    EXPECT_THAT(csv.out, AllOf(testing::StartsWith("participants,share,exact_power,"),
+                               HasSubstr("\n5,0.75,0,0,"), HasSubstr("\n6,0.75,0.178")));
+    EXPECT_EQ(run(power_command(), {"--csv"}).code, ExitCode::kBadInput) << "without a curve";
+}
+
 TEST_F(CommandsTest, PowerRefusesWhatCannotBe) {
     for (const auto& arguments : std::vector<std::vector<std::string>>{{"--share", "0.5"},
                                                                        {"--share", "1"},
