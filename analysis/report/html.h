@@ -21,6 +21,8 @@ class Page {
   public:
     explicit Page(std::string title);
 
+    /// What stays in view on every screen and printed page, such as that data are simulated.
+    void mark(std::string_view text);
     /// Level 2 to 4. Those of level 2 are listed at the top of the page with links.
     void heading(std::string_view text, int level = 2);
     void paragraph(std::string_view text);
@@ -45,6 +47,7 @@ class Page {
 
   private:
     std::string title_;
+    std::string mark_;
     std::vector<std::string> contents_;  ///< headings of level 2
     std::string html_;
     std::string markdown_;
