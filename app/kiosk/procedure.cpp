@@ -185,7 +185,8 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .operating_system = plan_.machine.operating_system,
                     .gpu_renderer = plan_.machine.gpu_renderer,
                     .display = plan_.machine.display,
-                    .refresh_hz = plan_.machine.refresh_hz};
+                    .refresh_hz = plan_.machine.refresh_hz,
+                    .exclusion = ""};
     show(Screen::kInstructions);
     return {std::move(rows), event_record(kStimuliEvent, digest_of(plan_.images), now)};
 }
