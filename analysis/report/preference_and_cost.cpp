@@ -106,7 +106,7 @@ std::vector<MeasuredPair> pairs_of(const ReportInput& input, const Rows& rows) {
 }
 
 PreferenceCurve curve_of(const std::vector<MeasuredPair>& pairs,
-                         Possible<double> MeasuredPair::* difference) {
+                         Possible<double> MeasuredPair::*difference) {
     std::vector<PreferencePoint> points;
     for (const MeasuredPair& pair : pairs) {
         const Possible<double>& value = pair.*difference;
@@ -134,9 +134,9 @@ PreferenceAndCost preference_and_cost(const ReportInput& input) {
         result.height = chosen.front()->height;
     }
     for (const ConditionResult& condition : input.analysis.conditions) {
-        const bool is_joined = std::any_of(
-            result.pairs.begin(), result.pairs.end(),
-            [&](const MeasuredPair& pair) { return pair.condition == &condition; });
+        const bool is_joined =
+            std::any_of(result.pairs.begin(), result.pairs.end(),
+                        [&](const MeasuredPair& pair) { return pair.condition == &condition; });
         if (!is_joined) {
             result.not_joined.push_back(missing(input, condition.condition, chosen));
         }

@@ -12,19 +12,18 @@ bool is_published_votes(const Tally& tally) {
     // Answers of a store are never these, whatever their counts.
     if (tally.kind.has_value()) return false;
     static const Tally published = published_votes();
-    return std::equal(tally.conditions.begin(), tally.conditions.end(),
-                      published.conditions.begin(), published.conditions.end(),
-                      [](const ConditionVotes& one, const ConditionVotes& other) {
-                          return one.id == other.id && one.variant_a == other.variant_a &&
-                                 one.variant_b == other.variant_b &&
-                                 one.validity == other.validity &&
-                                 one.votes.a == other.votes.a && one.votes.b == other.votes.b;
-                      });
+    return std::equal(
+        tally.conditions.begin(), tally.conditions.end(), published.conditions.begin(),
+        published.conditions.end(), [](const ConditionVotes& one, const ConditionVotes& other) {
+            return one.id == other.id && one.variant_a == other.variant_a &&
+                   one.variant_b == other.variant_b && one.validity == other.validity &&
+                   one.votes.a == other.votes.a && one.votes.b == other.votes.b;
+        });
 }
 
 const std::vector<PrintedTest>& printed_table_4() {
     static const std::vector<PrintedTest> table{
-        {"I", "0", "1"},         {"II", "1.778", "0.182"}, {"III", "5.445", "0.019", true},
+        {"I", "0", "1"},          {"II", "1.778", "0.182"},      {"III", "5.445", "0.019", true},
         {"IV", "0.445", "0.505"}, {"V", "5.445", "0.019", true}, {"VI", "0", "1"},
         {"VII", "1", "0.317"}};
     return table;

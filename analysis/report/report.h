@@ -9,6 +9,7 @@
 
 #include "analysis/export/csv_export.h"
 #include "analysis/report/analysis.h"
+#include "analysis/report/attendance.h"
 #include "analysis/report/measurement_table.h"
 
 namespace obscura::analysis {
@@ -38,10 +39,8 @@ struct StudyWords {
 struct ReportInput {
     Analysis analysis;
     StudyWords study;
-    /// Who took part and what was shown, of any study and kind; the report takes what belongs to
-    /// the analysis. Empty where only votes are known, with the reason.
-    StoreContents contents;
-    std::string contents_unknown;
+    /// Of the study and kind that are analysed.
+    Possible<Attendance> attendance = Possible<Attendance>::none("only votes are known");
     std::vector<ShownImage> images;  ///< of the study's conditions; empty where none are known
     std::string images_unknown;      ///< why there are none
     std::optional<MeasurementTable> measurement;

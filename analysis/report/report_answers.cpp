@@ -13,7 +13,8 @@ namespace obscura::analysis {
 namespace {
 
 std::string capital(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    if (!text.empty())
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
 
@@ -26,11 +27,10 @@ std::string overall_words(const Analysis& analysis) {
         if (!result.p_holm.has_value()) continue;
         ++tests;
         const Preference& preference = result.preference;
-        const std::string words =
-            fmt::format("{} ({} preferred by {})", result.condition.id,
-                        *preference.share_b > 0.5 ? result.condition.variant_b
-                                                  : result.condition.variant_a,
-                        percent(std::max(*preference.share_b, 1.0 - *preference.share_b)));
+        const std::string words = fmt::format(
+            "{} ({} preferred by {})", result.condition.id,
+            *preference.share_b > 0.5 ? result.condition.variant_b : result.condition.variant_a,
+            percent(std::max(*preference.share_b, 1.0 - *preference.share_b)));
         if (preference.chi_square->p.p < kSignificance) alone.push_back(words);
         if (*result.p_holm < kSignificance) corrected.push_back(words);
     }
@@ -52,8 +52,7 @@ std::string overall_words(const Analysis& analysis) {
 void add_answers(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
     const Tally& tally = analysis.tally;
-    const bool knows_hypotheses =
-        tally.study == kPublishedStudy || is_published_votes(tally);
+    const bool knows_hypotheses = tally.study == kPublishedStudy || is_published_votes(tally);
     draft.page.heading("In short");
     draft.page.paragraph(overall_words(analysis));
     for (const Verdict& verdict : verdicts(analysis)) {
@@ -117,8 +116,7 @@ void add_published_study(ReportDraft& draft) {
     points.push_back(
         "An even split such as 18 : 18 is not proof that people saw no difference: its 95 % "
         "interval reaches from 34 to 66 %.");
-    points.push_back(
-        "How many participants would have been needed is in the part on power below.");
+    points.push_back("How many participants would have been needed is in the part on power below.");
     draft.page.list(points);
 }
 

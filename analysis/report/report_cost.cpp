@@ -21,8 +21,8 @@ struct Quantity {
     const char* noun;        ///< in running text
     const char* step_words;  ///< of `step`
     double step;             ///< that slopes are quoted for
-    Possible<double> MeasuredPair::* difference;
-    const PreferenceCurve PreferenceAndCost::* curve;
+    Possible<double> MeasuredPair::*difference;
+    const PreferenceCurve PreferenceAndCost::*curve;
 };
 
 const Quantity kError{"preference-error",
@@ -56,10 +56,9 @@ Plot plot_of(const PreferenceAndCost& joined, const Quantity& quantity) {
         if (!x.has_value() || !preference.share_b.has_value()) continue;
         low = std::min(low, *x);
         high = std::max(high, *x);
-        plot.points.push_back({pair.condition->condition.id,
-                               level_number(pair.condition->condition.validity), *x,
-                               *preference.share_b, preference.wilson->low,
-                               preference.wilson->high});
+        plot.points.push_back(
+            {pair.condition->condition.id, level_number(pair.condition->condition.validity), *x,
+             *preference.share_b, preference.wilson->low, preference.wilson->high});
     }
     const Possible<PreferenceFit>& fit = (joined.*quantity.curve).overall;
     if (fit.has_value()) {
@@ -113,7 +112,8 @@ std::string error_words(const PreferenceCurve& curve) {
     }
     if (!fit->difference_75_interval.has_value()) {
         return fmt::format(
-            "How much error people notice here is unknown. Over {} the log odds of choosing an image "
+            "How much error people notice here is unknown. Over {} the log odds of choosing an "
+            "image "
             "change by {:+.3f} for each {} that it is worse (95 % interval {:+.3f} to {:+.3f}), "
             "which holds 0: the answers allow that people do not care about error at all, and that "
             "they care in either direction.",
@@ -125,7 +125,8 @@ std::string error_words(const PreferenceCurve& curve) {
     const double one = std::abs(fit->difference_75_interval->low);
     const double other = std::abs(fit->difference_75_interval->high);
     return fmt::format(
-        "75 % choose the {} accurate image when the two differ by {:.3g} of RMSE (95 % interval {:.3g} "
+        "75 % choose the {} accurate image when the two differ by {:.3g} of RMSE (95 % interval "
+        "{:.3g} "
         "to {:.3g}; {}).",
         fit->slope < 0.0 ? "more" : "less", enough, std::min(one, other), std::max(one, other),
         p_words(fit->likelihood_ratio.p));
@@ -157,11 +158,11 @@ Table pairs_table(const PreferenceAndCost& joined) {
             return value.has_value() ? fmt::format("{:+.{}f}", *value, decimals) : kNoValue;
         };
         const Possible<double>& share = pair.condition->preference.share_b;
-        table.rows.push_back({condition.id, condition.validity, condition.variant_a,
-                              condition.variant_b, cell(pair.a.rmse, 4), cell(pair.b.rmse, 4),
-                              with_sign(pair.error_difference, 4), cell(pair.a.ms_median, 2),
-                              cell(pair.b.ms_median, 2), with_sign(pair.ms_difference, 2),
-                              share.has_value() ? fmt::format("{:.1f}", 100.0 * *share) : kNoValue});
+        table.rows.push_back(
+            {condition.id, condition.validity, condition.variant_a, condition.variant_b,
+             cell(pair.a.rmse, 4), cell(pair.b.rmse, 4), with_sign(pair.error_difference, 4),
+             cell(pair.a.ms_median, 2), cell(pair.b.ms_median, 2), with_sign(pair.ms_difference, 2),
+             share.has_value() ? fmt::format("{:.1f}", 100.0 * *share) : kNoValue});
     }
     return table;
 }
@@ -172,11 +173,12 @@ void add_curve(ReportDraft& draft, const PreferenceAndCost& joined, const Quanti
                "Each point is a pair with the 95 % Wilson interval of its share. The line is the "
                "logistic fit through the origin, grey its 95 % band; a band that holds the dashed "
                "line at 50 % everywhere says that no dependence was found.");
-    draft.page.table(
-        fits_table(joined.*quantity.curve, quantity),
-        "Logistic fit through the origin (two images that do not differ are chosen alike), by maximum "
-        "likelihood with a profile interval, answers taken as independent. Unknown: the interval of "
-        "the slope holds 0.");
+    draft.page.table(fits_table(joined.*quantity.curve, quantity),
+                     "Logistic fit through the origin (two images that do not differ are chosen "
+                     "alike), by maximum "
+                     "likelihood with a profile interval, answers taken as independent. Unknown: "
+                     "the interval of "
+                     "the slope holds 0.");
 }
 
 }  // namespace
@@ -193,9 +195,9 @@ void add_preference_and_cost(ReportDraft& draft) {
     }
     const PreferenceAndCost joined = preference_and_cost(input);
     if (joined.pairs.empty()) {
-        draft.page.paragraph(fmt::format(
-            "Unknown: no condition has both its images in the measurement {}.",
-            input.measurement->source));
+        draft.page.paragraph(
+            fmt::format("Unknown: no condition has both its images in the measurement {}.",
+                        input.measurement->source));
     } else {
         draft.page.paragraph(error_words(joined.by_error));
         draft.page.paragraph(savings_words(joined));
@@ -205,12 +207,13 @@ void add_preference_and_cost(ReportDraft& draft) {
                 "program's images of stand-in scenes: the two are related here only as far as the "
                 "scenes are alike.");
         }
-        draft.page.table(pairs_table(joined),
-                         fmt::format("Error and cost of each pair's two images, from {}. Error: root "
-                                     "mean square of the accessibility (0 to 1) against the "
-                                     "ray-traced truth. Cost: median milliseconds of the technique "
-                                     "and its filter.",
-                                     input.measurement->source));
+        draft.page.table(
+            pairs_table(joined),
+            fmt::format("Error and cost of each pair's two images, from {}. Error: root "
+                        "mean square of the accessibility (0 to 1) against the "
+                        "ray-traced truth. Cost: median milliseconds of the technique "
+                        "and its filter.",
+                        input.measurement->source));
         add_curve(draft, joined, kError);
         add_curve(draft, joined, kTime);
     }

@@ -60,8 +60,7 @@ void add_order_bias(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
     draft.page.heading("Did the order of showing matter?");
     if (!analysis.order_bias.has_value()) {
-        draft.page.paragraph(
-            fmt::format("Not known: {}.", analysis.order_bias.reason));
+        draft.page.paragraph(fmt::format("Not known: {}.", analysis.order_bias.reason));
         return;
     }
     draft.page.paragraph(bias_words(*analysis.order_bias));
@@ -89,8 +88,9 @@ void add_order_bias(ReportDraft& draft) {
              fmt::format("{:.1f}", 100.0 * share),
              fmt::format("{:.1f} to {:.1f}", 100.0 * interval->low, 100.0 * interval->high)});
     }
-    draft.plot(interval_plot(plot),
-               "Share of answers for the image shown second. Around 50 %: the order did not matter.");
+    draft.plot(
+        interval_plot(plot),
+        "Share of answers for the image shown second. Around 50 %: the order did not matter.");
     draft.page.table(table, "The same in numbers.");
 }
 

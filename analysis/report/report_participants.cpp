@@ -13,47 +13,26 @@
 namespace obscura::analysis {
 namespace {
 
-/// The sessions of the analysis by how they ended, and the participants who completed one.
-struct Attendance {
-    std::map<SessionState, int> sessions;
-    std::vector<const ParticipantRecord*> completed;
-};
+using People = std::vector<ParticipantRecord>;
 
-Attendance attendance_of(const ReportInput& input) {
-    Attendance attendance;
-    std::set<std::string> ids;
-    for (const SessionRecord& session : input.contents.sessions) {
-        if (session.study != input.analysis.tally.study ||
-            session.kind != input.analysis.tally.kind) {
-            continue;
-        }
-        ++attendance.sessions[session.state];
-        if (session.state == SessionState::kCompleted) ids.insert(session.participant_id);
-    }
-    for (const ParticipantRecord& participant : input.contents.participants) {
-        if (ids.contains(participant.participant_id)) attendance.completed.push_back(&participant);
-    }
-    return attendance;
-}
-
-std::string age_words(const std::vector<const ParticipantRecord*>& people) {
+std::string age_words(const People& people) {
     std::vector<int> ages;
-    for (const auto* person : people) {
-        if (person->age_years) ages.push_back(*person->age_years);
+    for (const ParticipantRecord& person : people) {
+        if (person.age_years) ages.push_back(*person.age_years);
     }
     if (ages.empty()) return "not asked";
     std::sort(ages.begin(), ages.end());
     const std::size_t half = ages.size() / 2;
-    const double median =
-        ages.size() % 2 == 1 ? ages[half] : (ages[half - 1] + ages[half]) / 2.0;
+    const double median = ages.size() % 2 == 1 ? ages[half] : (ages[half - 1] + ages[half]) / 2.0;
     const std::size_t unknown = people.size() - ages.size();
     return fmt::format("{} to {} years, median {:g}{}", ages.front(), ages.back(), median,
                        unknown == 0 ? "" : fmt::format(" ({} not said)", unknown));
 }
 
-std::string gender_words(const std::vector<const ParticipantRecord*>& people) {
+std::string gender_words(const People& people) {
     std::map<std::string, int> counts;
-    for (const auto* person : people) ++counts[person->gender.empty() ? "not said" : person->gender];
+    for (const ParticipantRecord& person : people)
+        ++counts[person.gender.empty() ? "not said" : person.gender];
     std::string text;
     for (const auto& [gender, count] : counts) {
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, gender);
@@ -61,13 +40,12 @@ std::string gender_words(const std::vector<const ParticipantRecord*>& people) {
     return text;
 }
 
-std::string yes_no_words(const std::vector<const ParticipantRecord*>& people,
-                         std::optional<bool> ParticipantRecord::* member) {
+std::string yes_no_words(const People& people, std::optional<bool> ParticipantRecord::*member) {
     int yes = 0;
     int no = 0;
-    for (const auto* person : people) {
-        if (!(person->*member)) continue;
-        ++(*(person->*member) ? yes : no);
+    for (const ParticipantRecord& person : people) {
+        if (!(person.*member)) continue;
+        ++(*(person.*member) ? yes : no);
     }
     const auto unknown = static_cast<int>(people.size()) - yes - no;
     std::string text = fmt::format("{} yes, {} no", yes, no);
@@ -80,9 +58,8 @@ std::string sessions_words(const Attendance& attendance) {
         const auto found = attendance.sessions.find(state);
         return found == attendance.sessions.end() ? 0 : found->second;
     };
-    return fmt::format("{} completed, {} broken off, {} open",
-                       count(SessionState::kCompleted), count(SessionState::kAbandoned),
-                       count(SessionState::kOpen));
+    return fmt::format("{} completed, {} broken off, {} open", count(SessionState::kCompleted),
+                       count(SessionState::kAbandoned), count(SessionState::kOpen));
 }
 
 }  // namespace
@@ -94,30 +71,27 @@ void add_participants(ReportDraft& draft) {
     if (tally.n_participants.has_value()) {
         draft.page.paragraph(
             fmt::format("{} answered. {}", who(tally, *tally.n_participants),
-                        tally.kind == Kind::kSimulated
-                            ? "They are programs, not people."
+                        tally.kind == Kind::kSimulated ? "They are programs, not people."
                         : tally.kind == Kind::kParticipant
                             ? "Practice, catch and simulated answers are not among them."
                             : ""));
     } else {
-        draft.page.paragraph(fmt::format("How many people answered is not known: {}.",
-                                         tally.n_participants.reason));
+        draft.page.paragraph(
+            fmt::format("How many people answered is not known: {}.", tally.n_participants.reason));
     }
     if (is_published_votes(tally)) {
         draft.page.paragraph(published_participants());
         return;
     }
-    const Attendance attendance = attendance_of(input);
-    if (attendance.completed.empty()) {
-        draft.page.paragraph(fmt::format(
-            "Nothing is known of their age, gender and vision: {}.",
-            input.contents_unknown.empty() ? "no such records" : input.contents_unknown));
+    if (!input.attendance.has_value()) {
+        draft.page.paragraph(fmt::format("Nothing is known of their age, gender and vision: {}.",
+                                         input.attendance.reason));
         return;
     }
-    const auto& people = attendance.completed;
+    const People& people = input.attendance->completed;
     draft.page.table(
         {{"", "Participants"},
-         {{"Sessions", sessions_words(attendance)},
+         {{"Sessions", sessions_words(*input.attendance)},
           {"Age", age_words(people)},
           {"Gender", gender_words(people)},
           {"Normal or corrected vision", yes_no_words(people, &ParticipantRecord::normal_vision)},

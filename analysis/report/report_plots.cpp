@@ -108,8 +108,8 @@ Plot interval_plot(const IntervalPlot& plot) {
         "set key below center horizontal\nset bars 0.6\nset yrange [{}.6:0.4]\n"
         "set xlabel {}\nset rmargin {}\n",
         plot.rows.size(), gnuplot_text(plot.axis), longest_note(plot) + 4);
-    drawn.script += range_of("x", plot.x_low, plot.x_high) + sides_of(plot) + names_of(plot) +
-                    commands + '\n';
+    drawn.script +=
+        range_of("x", plot.x_low, plot.x_high) + sides_of(plot) + names_of(plot) + commands + '\n';
     return drawn;
 }
 
@@ -129,20 +129,21 @@ Plot curve_plot(const CurvePlot& plot) {
             data += '\n';
         }
         if (series.points.empty()) continue;
-        commands += fmt::format("{}{} index {} using 1:2 with {} lt {} title {}",
-                                commands.empty() ? "plot " : ", \\\n     ", gnuplot_text(file), i,
-                                series.is_line ? "lines" : "points", i % 8 + 1,
-                                gnuplot_text(series.title));
+        commands +=
+            fmt::format("{}{} index {} using 1:2 with {} lt {} title {}",
+                        commands.empty() ? "plot " : ", \\\n     ", gnuplot_text(file), i,
+                        series.is_line ? "lines" : "points", i % 8 + 1, gnuplot_text(series.title));
         if (!series.is_labelled) continue;
         commands += fmt::format(
-            ", \\\n     {} index {} using 1:2:3 with labels left offset 0.8,0.4 font \",12\" notitle",
+            ", \\\n     {} index {} using 1:2:3 with labels left offset 0.8,0.4 font \",12\" "
+            "notitle",
             gnuplot_text(file), i);
     }
     if (commands.empty()) commands = "plot NaN notitle";
     drawn.data = {{file, data}};
-    drawn.script = fmt::format("set xlabel {}\nset ylabel {}\nset key below center horizontal\n{}{}\n",
-                               gnuplot_text(plot.x_axis), gnuplot_text(plot.y_axis), plot.extra,
-                               commands);
+    drawn.script =
+        fmt::format("set xlabel {}\nset ylabel {}\nset key below center horizontal\n{}{}\n",
+                    gnuplot_text(plot.x_axis), gnuplot_text(plot.y_axis), plot.extra, commands);
     return drawn;
 }
 
@@ -170,9 +171,9 @@ Plot dependence_plot(const DependencePlot& plot) {
         std::string rows;
         for (const auto& point : plot.points) {
             if (point.group != group) continue;
-            rows += fmt::format("{:.9g}\t{:.9g}\t{:.9g}\t{:.9g}\t{}\n", point.x,
-                                100.0 * point.share, 100.0 * point.low, 100.0 * point.high,
-                                plot_cell(point.label));
+            rows +=
+                fmt::format("{:.9g}\t{:.9g}\t{:.9g}\t{:.9g}\t{}\n", point.x, 100.0 * point.share,
+                            100.0 * point.low, 100.0 * point.high, plot_cell(point.label));
         }
         if (rows.empty()) continue;
         points += (block == 0 ? "" : "\n\n") + rows;

@@ -113,8 +113,8 @@ void add_power(ReportDraft& draft) {
         return;
     }
     if (tested.most > kMostParticipants) {
-        draft.page.paragraph(fmt::format("More than {} answers: any difference worth the name shows.",
-                                         kMostParticipants));
+        draft.page.paragraph(fmt::format(
+            "More than {} answers: any difference worth the name shows.", kMostParticipants));
         return;
     }
     const double corrected = kSignificance / tested.conditions;
@@ -126,14 +126,15 @@ void add_power(ReportDraft& draft) {
     plot.y_axis = "chance of a significant result (%)";
     plot.extra =
         "set xrange [50:100]\nset yrange [0:105]\nset ytics 20\n"
-        "set arrow from graph 0, first 80 to graph 1, first 80 nohead lc rgb \"#000000\" dt (6,5)\n";
-    plot.series.push_back(
-        power_series(fmt::format("p < {:g}, one test", kSignificance), tested.fewest, kSignificance));
+        "set arrow from graph 0, first 80 to graph 1, first 80 nohead lc rgb \"#000000\" dt "
+        "(6,5)\n";
+    plot.series.push_back(power_series(fmt::format("p < {:g}, one test", kSignificance),
+                                       tested.fewest, kSignificance));
     Table table{{"True share (%)", "Power, one test (%)", "Power, corrected (%)"}, {}};
     if (tested.conditions > 1) {
-        plot.series.push_back(power_series(
-            fmt::format("p < {:.4f}, {} tests", corrected, tested.conditions), tested.fewest,
-            corrected));
+        plot.series.push_back(
+            power_series(fmt::format("p < {:.4f}, {} tests", corrected, tested.conditions),
+                         tested.fewest, corrected));
     }
     for (int share = 55; share <= 90; share += 5) {
         table.rows.push_back(
@@ -141,23 +142,26 @@ void add_power(ReportDraft& draft) {
              fmt::format("{:.1f}", 100.0 * power_of(SplitTest::kExact, tested.fewest, share / 100.0,
                                                     kSignificance)
                                                .power),
-             fmt::format("{:.1f}",
-                         100.0 * power_of(SplitTest::kExact, tested.fewest, share / 100.0, corrected)
-                                     .power)});
+             fmt::format(
+                 "{:.1f}",
+                 100.0 *
+                     power_of(SplitTest::kExact, tested.fewest, share / 100.0, corrected).power)});
     }
-    draft.plot(curve_plot(plot),
-               "How likely a significant result is, by how many people really prefer one image. The "
-               "dashed line marks 80 %, the usual wish.");
-    draft.page.table(table, fmt::format("The same in numbers, for {}.",
-                                        counted(tested.fewest, "answer")));
+    draft.plot(
+        curve_plot(plot),
+        "How likely a significant result is, by how many people really prefer one image. The "
+        "dashed line marks 80 %, the usual wish.");
+    draft.page.table(table,
+                     fmt::format("The same in numbers, for {}.", counted(tested.fewest, "answer")));
     draft.page.heading("How many participants would have been needed", 3);
     draft.page.table(
         needed_table(analysis, corrected),
-        fmt::format("If the share met were the true one: participants for {} power with the exact "
-                    "test, for one test and at the level that holds over all conditions. No number "
-                    "where the votes are even. Shares met by chance are often too far from one half, "
-                    "so plan for more.",
-                    percent(kPowerToHave)));
+        fmt::format(
+            "If the share met were the true one: participants for {} power with the exact "
+            "test, for one test and at the level that holds over all conditions. No number "
+            "where the votes are even. Shares met by chance are often too far from one half, "
+            "so plan for more.",
+            percent(kPowerToHave)));
 }
 
 }  // namespace obscura::analysis

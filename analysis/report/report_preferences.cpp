@@ -68,8 +68,8 @@ Table shares_table(const Analysis& analysis) {
              interval_cell(tests.wilson),
              tests.cohens_g.has_value() ? fmt::format("{:+.3f}", *tests.cohens_g) : kNoValue,
              tested ? fmt::format("{:.3f}", tests.chi_square->statistic) : kNoValue,
-             tested ? p_cell(Possible<PValue>(tests.chi_square->p)) : kNoValue,
-             p_cell(tests.exact), p_cell(result->p_holm), p_cell(result->p_bh)});
+             tested ? p_cell(Possible<PValue>(tests.chi_square->p)) : kNoValue, p_cell(tests.exact),
+             p_cell(result->p_holm), p_cell(result->p_bh)});
     }
     return table;
 }
@@ -84,17 +84,16 @@ std::string bayes_cell(const Possible<BayesFactor>& factor) {
 }
 
 Table belief_table(const Analysis& analysis) {
-    Table table{{"Condition", "Expected B (%)", "95 % credible (%)", "P(B preferred)",
-                 "Bayes factor"},
-                {}};
+    Table table{
+        {"Condition", "Expected B (%)", "95 % credible (%)", "P(B preferred)", "Bayes factor"}, {}};
     for (const ConditionResult* result : by_validity(analysis)) {
         const Possible<Posterior>& belief = result->preference.posterior;
         const bool known = belief.has_value();
-        table.rows.push_back(
-            {result->condition.id, known ? fmt::format("{:.1f}", 100.0 * belief->mean) : kNoValue,
-             known ? interval_cell(belief->interval) : kNoValue,
-             known ? p_cell(Possible<PValue>(belief->above_half)) : kNoValue,
-             bayes_cell(result->preference.bayes_factor)});
+        table.rows.push_back({result->condition.id,
+                              known ? fmt::format("{:.1f}", 100.0 * belief->mean) : kNoValue,
+                              known ? interval_cell(belief->interval) : kNoValue,
+                              known ? p_cell(Possible<PValue>(belief->above_half)) : kNoValue,
+                              bayes_cell(result->preference.bayes_factor)});
     }
     return table;
 }
@@ -121,10 +120,9 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
         const Votes& votes = comparison.votes[i];
         shares.push_back(fmt::format("{} {} : {}", comparison.levels[i], votes.a, votes.b));
     }
-    std::vector<std::string> row{
-        fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
-        fmt::format("{}", fmt::join(comparison.conditions, ", ")),
-        fmt::format("{}", fmt::join(shares, ", "))};
+    std::vector<std::string> row{fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
+                                 fmt::format("{}", fmt::join(comparison.conditions, ", ")),
+                                 fmt::format("{}", fmt::join(shares, ", "))};
     add_test(row, comparison.test);
     row.push_back(p_cell(comparison.fisher));
     if (comparison.same_participants.has_value()) {
@@ -140,10 +138,11 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
 void add_preferences(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
     draft.page.heading("Which image was preferred");
-    draft.plot(shares_plot(analysis),
-               "Share of answers for image B in each pair, from low validity to high, with its 95 % "
-               "Wilson interval. An interval that crosses the dashed line at 50 % leaves open which "
-               "image people prefer. On the right the votes, A : B.");
+    draft.plot(
+        shares_plot(analysis),
+        "Share of answers for image B in each pair, from low validity to high, with its 95 % "
+        "Wilson interval. An interval that crosses the dashed line at 50 % leaves open which "
+        "image people prefer. On the right the votes, A : B.");
     draft.page.table(
         shares_table(analysis),
         "Chi-square and p: Pearson's test against an equal split, df 1, no continuity correction. "
@@ -160,7 +159,8 @@ void add_preferences(ReportDraft& draft) {
         belief_table(analysis),
         "When every share was thought equally likely before: the share of B expected now, the "
         "interval that holds it with 95 % probability, the probability that B is preferred by more "
-        "than half, and how many times likelier the votes are under some preference than under none "
+        "than half, and how many times likelier the votes are under some preference than under "
+        "none "
         "(below 1 speaks against a preference).");
 }
 
@@ -186,7 +186,8 @@ void add_hypotheses(ReportDraft& draft) {
         table,
         "Is the share of B the same at each level? Chi-square, df, p: test of homogeneity from the "
         "counts, as if different people had answered at each level; Fisher's exact test where two "
-        "are compared. Same participants: Cochran's Q or McNemar's test, which are the ones to read "
+        "are compared. Same participants: Cochran's Q or McNemar's test, which are the ones to "
+        "read "
         "where each participant's answers are known.");
 }
 
@@ -198,15 +199,17 @@ void add_scales(ReportDraft& draft) {
         return;
     }
     draft.page.paragraph(
-        "Pairs that share a variant put all of them on one scale, over all scenes together. Its unit "
-        "is the just objectionable difference (JOD): a variant 1 JOD above another is chosen over it "
+        "Pairs that share a variant put all of them on one scale, over all scenes together. Its "
+        "unit "
+        "is the just objectionable difference (JOD): a variant 1 JOD above another is chosen over "
+        "it "
         "by 75 %. It takes every answer as independent of the others.");
     int number = 0;
     for (const VariantScale& scale : analysis.scales) {
         ++number;
         if (!scale.thurstone.has_value()) {
-            draft.page.paragraph(fmt::format("There is no scale of {}: {}.",
-                                             listed(scale.variants), scale.thurstone.reason));
+            draft.page.paragraph(fmt::format("There is no scale of {}: {}.", listed(scale.variants),
+                                             scale.thurstone.reason));
             continue;
         }
         IntervalPlot plot;

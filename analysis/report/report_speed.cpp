@@ -41,8 +41,8 @@ Overview overview_of(const MeasurementTable& table, const PreferenceAndCost& joi
     std::map<std::tuple<std::string, int, std::string>, Setting> settings;
     for (const MeasuredSetting& row : table.rows) {
         if (row.fitted || row.ao_scale != 1.0 || row.device != joined.device ||
-            row.width != joined.width || row.height != joined.height ||
-            !row.rmse.has_value() || !row.ms_median.has_value()) {
+            row.width != joined.width || row.height != joined.height || !row.rmse.has_value() ||
+            !row.ms_median.has_value()) {
             continue;
         }
         views.insert({row.scene, row.camera, row.validity});
@@ -86,8 +86,8 @@ Plot speed_plot(const Overview& overview) {
             plot.series.push_back({setting.technique, {}, false, true, {}});
         }
         plot.series.back().points.emplace_back(setting.ms, setting.rmse);
-        plot.series.back().labels.push_back(
-            setting.samples == 0 ? "" : std::to_string(setting.samples));
+        plot.series.back().labels.push_back(setting.samples == 0 ? ""
+                                                                 : std::to_string(setting.samples));
     }
     return curve_plot(plot);
 }
@@ -95,11 +95,11 @@ Plot speed_plot(const Overview& overview) {
 Table speed_table(const Overview& overview) {
     Table table{{"Technique", "Samples", "Filter", "Median (ms)", "RMSE", "On the front of"}, {}};
     for (const Setting& setting : overview.settings) {
-        table.rows.push_back({setting.technique,
-                              setting.samples == 0 ? kNoValue : std::to_string(setting.samples),
-                              setting.blur.empty() ? kNoValue : setting.blur,
-                              fmt::format("{:.3f}", setting.ms), fmt::format("{:.4f}", setting.rmse),
-                              fmt::format("{} of {}", setting.on_front, setting.views)});
+        table.rows.push_back(
+            {setting.technique, setting.samples == 0 ? kNoValue : std::to_string(setting.samples),
+             setting.blur.empty() ? kNoValue : setting.blur, fmt::format("{:.3f}", setting.ms),
+             fmt::format("{:.4f}", setting.rmse),
+             fmt::format("{} of {}", setting.on_front, setting.views)});
     }
     return table;
 }
@@ -116,12 +116,13 @@ void add_speed_and_error(ReportDraft& draft) {
     const PreferenceAndCost joined = preference_and_cost(input);
     const Overview overview = overview_of(*input.measurement, joined);
     if (overview.settings.empty()) {
-        draft.page.paragraph(fmt::format(
-            "{} has no setting with both a time and an error.", input.measurement->source));
+        draft.page.paragraph(fmt::format("{} has no setting with both a time and an error.",
+                                         input.measurement->source));
         return;
     }
     draft.page.paragraph(fmt::format(
-        "Means over {} measured{}{}, parameters as published, buffers at full size. Nearer the lower "
+        "Means over {} measured{}{}, parameters as published, buffers at full size. Nearer the "
+        "lower "
         "left corner is better. {}",
         counted(static_cast<std::int64_t>(overview.views), "view"),
         joined.width > 0 ? fmt::format(" at {} × {}", joined.width, joined.height) : "",
@@ -133,9 +134,10 @@ void add_speed_and_error(ReportDraft& draft) {
                           overview.left_out == 1 ? "is" : "are")));
     draft.plot(speed_plot(overview),
                "Each point is a technique with a number of samples (written beside it).");
-    draft.page.table(speed_table(overview),
-                     "On the front of: views on which no other setting is both faster and nearer the "
-                     "truth.");
+    draft.page.table(
+        speed_table(overview),
+        "On the front of: views on which no other setting is both faster and nearer the "
+        "truth.");
 }
 
 void add_methods(ReportDraft& draft) {
@@ -145,9 +147,11 @@ void add_methods(ReportDraft& draft) {
         fmt::format("Answers: {}{}.", tally.source,
                     tally.study.empty() ? "" : fmt::format(", study {}", tally.study)),
         "Conditions are compared within participants where each participant's answers are known "
-        "(Cochran's Q, McNemar's test), else from counts. Votes that are pooled over conditions come "
+        "(Cochran's Q, McNemar's test), else from counts. Votes that are pooled over conditions "
+        "come "
         "from the same people, which tests of counts take as independent.",
-        "Intervals: Wilson's score interval of a share, 95 %. Exact tests are two-sided, by the method "
+        "Intervals: Wilson's score interval of a share, 95 %. Exact tests are two-sided, by the "
+        "method "
         "of small p-values. Significant means p < 0.05.",
         "A dash means that there is no such number; the reason is in analysis.json under the same "
         "name. Numbers are rounded here and in full precision there.",

@@ -11,7 +11,7 @@
 #include "analysis/report/thumbnail.h"
 #include "analysis/report/words.h"
 #include "renderer/base/files.h"
-#include "renderer/base/sha256.h"
+#include "renderer/base/hash.h"
 
 namespace obscura::analysis {
 namespace {
@@ -19,22 +19,6 @@ namespace {
 constexpr int kThumbnail_px = 600;
 
 using Hashes = std::map<std::pair<std::string, char>, std::set<std::string>>;
-
-/// The SHA-256 of every file that the participants of the analysis saw, by condition and side.
-Hashes hashes_shown(const ReportInput& input) {
-    Hashes hashes;
-    for (const TrialRecord& trial : input.contents.trials) {
-        if (trial.kind != input.analysis.tally.kind) continue;
-        const char second = trial.first_shown == 'A' ? 'B' : 'A';
-        if (!trial.first_sha256.empty()) {
-            hashes[{trial.condition, trial.first_shown}].insert(trial.first_sha256);
-        }
-        if (!trial.second_sha256.empty()) {
-            hashes[{trial.condition, second}].insert(trial.second_sha256);
-        }
-    }
-    return hashes;
-}
 
 /// One image of a pair, made small, or why it cannot be shown.
 struct Thumbnail {
@@ -58,8 +42,7 @@ Thumbnail thumbnail_of(const ShownImage& image, const Hashes& hashes) {
     return {thumbnail(bytes, image.file.string(), kThumbnail_px), ""};
 }
 
-const ShownImage* find_image(const ReportInput& input, const ConditionVotes& condition,
-                             char side) {
+const ShownImage* find_image(const ReportInput& input, const ConditionVotes& condition, char side) {
     const auto found =
         std::find_if(input.images.begin(), input.images.end(), [&](const ShownImage& image) {
             return image.condition == condition.id && image.side == side;
@@ -132,11 +115,12 @@ void add_stimuli(ReportDraft& draft) {
                      "The pairs, by ecological validity of the scene's lighting: low has constant "
                      "ambient light only, moderate irradiance from an environment, high that and a "
                      "sun with shadows. The number in a variant's name counts its samples.");
-    if (input.images.empty()) {
+    if (std::all_of(input.images.begin(), input.images.end(),
+                    [](const ShownImage& image) { return image.file.empty(); })) {
         draft.page.paragraph(fmt::format("The images are not shown: {}.", input.images_unknown));
         return;
     }
-    const Hashes hashes = hashes_shown(input);
+    const Hashes hashes = input.attendance.has_value() ? input.attendance->shown_sha256 : Hashes{};
     std::vector<std::string> problems;
     if (is_published) {
         draft.page.notice(

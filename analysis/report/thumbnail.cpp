@@ -46,8 +46,8 @@ std::string written(OIIO::ImageBuf& image, const std::string& name) {
 std::string thumbnail(std::string_view image_file, const std::string& name, int width_px) {
     const OIIO::ImageBuf image = read_image(image_file, name);
     const int width = std::min(width_px, image.spec().width);
-    const int height = std::max(1, (image.spec().height * width + image.spec().width / 2) /
-                                       image.spec().width);
+    const int height =
+        std::max(1, (image.spec().height * width + image.spec().width / 2) / image.spec().width);
     OIIO::ImageBuf light;
     OIIO::ImageBuf small;
     OIIO::ImageBuf result;

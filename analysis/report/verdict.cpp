@@ -53,8 +53,9 @@ std::string significant_words(const std::vector<Tested>& mine, std::size_t tests
     for (const Tested& test : mine) {
         if (test.p < kSignificance) {
             const bool prefers_b = *test.result->preference.share_b > 0.5;
-            names.push_back(fmt::format("{} ({} preferred, corrected {})", test.result->condition.id,
-                                        prefers_b ? "B" : "A", p_words({test.p, 0.0})));
+            names.push_back(fmt::format("{} ({} preferred, corrected {})",
+                                        test.result->condition.id, prefers_b ? "B" : "A",
+                                        p_words({test.p, 0.0})));
         }
     }
     if (!names.empty()) {
@@ -62,8 +63,9 @@ std::string significant_words(const std::vector<Tested>& mine, std::size_t tests
     }
     const auto smallest = std::min_element(
         mine.begin(), mine.end(), [](const Tested& a, const Tested& b) { return a.p < b.p; });
-    return fmt::format("none is significant after correcting for {} tests (smallest corrected {}, in {})",
-                       tests, p_words({smallest->p, 0.0}), smallest->result->condition.id);
+    return fmt::format(
+        "none is significant after correcting for {} tests (smallest corrected {}, in {})", tests,
+        p_words({smallest->p, 0.0}), smallest->result->condition.id);
 }
 
 Verdict preference_verdict(const HypothesisResult& result, const std::vector<Tested>& all) {
@@ -86,11 +88,11 @@ Verdict preference_verdict(const HypothesisResult& result, const std::vector<Tes
     const double level = kSignificance / static_cast<double>(all.size());
     const double power = power_of(SplitTest::kExact, fewest, kShareToFind, level).power;
     verdict.kind = kind_of(is_for, is_against, power >= kPowerToHave);
-    verdict.sentence =
-        fmt::format("{}; {}. With {} a condition, a true share of {} would come out significant in "
-                    "{} of such studies.",
-                    votes_words(result), significant_words(mine, all.size()),
-                    counted(fewest, "answer"), percent(kShareToFind), percent(power));
+    verdict.sentence = fmt::format(
+        "{}; {}. With {} a condition, a true share of {} would come out significant in "
+        "{} of such studies.",
+        votes_words(result), significant_words(mine, all.size()), counted(fewest, "answer"),
+        percent(kShareToFind), percent(power));
     return verdict;
 }
 
@@ -124,10 +126,10 @@ Verdict validity_verdict(const ValidityResult& validity) {
                             percent(static_cast<double>(votes.b) / static_cast<double>(votes.n())),
                             tested[i]->levels[row]));
         }
-        words += fmt::format("{} was chosen over {} by {} ({}{}); ", tested[i]->variant_b,
-                             tested[i]->variant_a, listed(shares), p_words({p_values[i], 0.0}),
-                             tested.size() == 1 ? ""
-                                                : ", corrected " + p_words({corrected[i], 0.0}));
+        words +=
+            fmt::format("{} was chosen over {} by {} ({}{}); ", tested[i]->variant_b,
+                        tested[i]->variant_a, listed(shares), p_words({p_values[i], 0.0}),
+                        tested.size() == 1 ? "" : ", corrected " + p_words({corrected[i], 0.0}));
     }
     const double level = kSignificance / static_cast<double>(tested.size());
     const double power = power_of_difference(fewest, 0.5, kShareToFind, level);
@@ -185,7 +187,8 @@ std::vector<Possible<double>> exact_p_holm(const Analysis& analysis) {
 std::string verdict_rule() {
     return fmt::format(
         "The rule behind the verdicts, the same for every study: a condition counts when its exact "
-        "binomial test, corrected by Holm's method over all conditions of the study, has p < {0:g}. "
+        "binomial test, corrected by Holm's method over all conditions of the study, has p < "
+        "{0:g}. "
         "“Evidence for” means that at least one condition of the hypothesis counts with B (the "
         "side that the hypothesis favours) preferred and none with A; “evidence against” the "
         "reverse. When none counts, it is “no evidence” if the study would have found a true share "

@@ -7,9 +7,10 @@
 
 #include "analysis/export/csv_export.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/analysis.h"
+#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "app/commands/list.h"
+#include "app/commands/report_input.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"
 #include "app/kiosk/store_lock.h"
@@ -108,17 +109,20 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     fs::rename(beside, file);
 }
 
-[[nodiscard]] std::string analyse(const stimuli::Study& study, const fs::path& file,
-                                  const fs::path& reports) {
+/// Writes tables and the report, and gives the analysis as text.
+[[nodiscard]] std::string analyse(const stimuli::Study& study, const fs::path& out,
+                                  const fs::path& file) {
+    const fs::path reports = out / "reports";
     Store store(url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
     analysis::write_export(analysis::csv_export(contents), reports / "export", true);
-    const analysis::Analysis result = analysis::analyse(analysis::tally_trials(
+    analysis::ReportInput input;
+    input.analysis = analysis::analyse(analysis::tally_trials(
         url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
-    base::write_file_atomically(reports / "analysis.json", analysis::json_report(result));
-    std::string text = analysis::text_report(result);
-    base::write_file_atomically(reports / "analysis.txt", text);
-    return text;
+    input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
+    add_sources(input, {out, study, {}});
+    analysis::write_export(analysis::report_files(input), reports, true);
+    return analysis::text_report(input.analysis);
 }
 
 base::ExitCode demo(const Options& options, const Globals& globals) {
@@ -131,15 +135,15 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     spdlog::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
-    const std::string report = analyse(study, file, out / "reports");
+    const std::string report = analyse(study, out, file);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"
-        "images    {}\nanswers   {}\ntables    {}\nanalysis  {}\n",
+        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n",
         options.participants == 1 ? "The observer is"
                                   : fmt::format("The {} observers are", options.participants),
         images.string(), file.string(), (out / "reports" / "export").string(),
-        (out / "reports" / "analysis.txt").string());
+        (out / "reports" / "report.html").string());
     return base::ExitCode::kDone;
 }
 
