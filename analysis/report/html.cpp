@@ -127,6 +127,11 @@ void Page::list(const std::vector<std::string>& items) {
     markdown_ += '\n';
 }
 
+void Page::fine_print(std::string_view text) {
+    html_ += fmt::format("<p class=\"fine\">{}</p>\n", html_escaped(text));
+    markdown_ += markdown_escaped(text) + "\n\n";
+}
+
 void Page::notice(std::string_view text) {
     html_ += fmt::format("<p class=\"notice\" role=\"note\">{}</p>\n", html_escaped(text));
     markdown_ += fmt::format("> **{}**\n\n", markdown_escaped(text));
@@ -196,6 +201,10 @@ std::string Page::html() const {
         mark_.empty() ? "" : fmt::format("<p class=\"mark\">{}</p>\n", html_escaped(mark_)));
 }
 
-std::string Page::markdown() const { return "# " + markdown_escaped(title_) + "\n\n" + markdown_; }
+std::string Page::markdown() const {
+    const std::string mark =
+        mark_.empty() ? "" : fmt::format("> **{}**\n\n", markdown_escaped(mark_));
+    return "# " + markdown_escaped(title_) + "\n\n" + mark + markdown_;
+}
 
 }  // namespace obscura::analysis

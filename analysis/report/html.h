@@ -27,6 +27,8 @@ class Page {
     void heading(std::string_view text, int level = 2);
     void paragraph(std::string_view text);
     void list(const std::vector<std::string>& items);
+    /// What only some readers want to know, in small type.
+    void fine_print(std::string_view text);
     /// What must not be overlooked, framed.
     void notice(std::string_view text);
     /// An answer that stands out: the question, the verdict in a few words, and a sentence.

@@ -26,7 +26,6 @@ std::string title_of(const ReportInput& input) {
     const Tally& tally = input.analysis.tally;
     std::string title = input.study.title;
     if (title.empty()) title = tally.study.empty() ? "Which image was preferred?" : tally.study;
-    if (tally.n_participants.has_value()) title += ": " + who(tally, *tally.n_participants);
     return title;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "analysis/report/published_study.h"
@@ -28,16 +29,19 @@ std::string overall_words(const Analysis& analysis) {
         ++tests;
         const Preference& preference = result.preference;
         const std::string words = fmt::format(
-            "{} ({} preferred by {})", result.condition.id,
-            *preference.share_b > 0.5 ? result.condition.variant_b : result.condition.variant_a,
-            percent(std::max(*preference.share_b, 1.0 - *preference.share_b)));
+            "{} ({} preferred {})", result.condition.id,
+            percent(std::max(*preference.share_b, 1.0 - *preference.share_b)),
+            *preference.share_b > 0.5 ? result.condition.variant_b : result.condition.variant_a);
         if (preference.chi_square->p.p < kSignificance) alone.push_back(words);
         if (*result.p_holm < kSignificance) corrected.push_back(words);
     }
     if (tests == 0) return "There are no answers, so there is nothing to say.";
     std::string text = fmt::format(
-        "Of {} compared, {} {} a preference that stays significant when the number of tests is "
+        "{} {} compared, {} {} a preference that stays significant when the number of tests is "
         "accounted for{}",
+        analysis.tally.n_participants.has_value()
+            ? who(analysis.tally, *analysis.tally.n_participants) + " answered. Of"
+            : "Of",
         counted(tests, "pair"), corrected.empty() ? "none" : std::to_string(corrected.size()),
         corrected.size() > 1 ? "show" : "shows",
         corrected.empty() ? "." : fmt::format(": {}.", listed(corrected)));
@@ -66,7 +70,7 @@ void add_answers(ReportDraft& draft) {
         }
         draft.page.answer(question, capital(to_words(verdict.kind)), capital(verdict.sentence));
     }
-    draft.page.paragraph(verdict_rule());
+    draft.page.fine_print(verdict_rule());
 }
 
 void add_published_study(ReportDraft& draft) {

@@ -188,7 +188,7 @@ void add_preference_and_cost(ReportDraft& draft) {
     draft.page.heading("How much error do people notice, and what would not computing it save?");
     if (!input.measurement) {
         draft.page.paragraph(
-            fmt::format("Unknown: {}. `obscura measure` writes the table of each technique's error "
+            fmt::format("Unknown: {}. obscura measure writes the table of each technique's error "
                         "and milliseconds that this part is made from.",
                         input.measurement_unknown));
         return;

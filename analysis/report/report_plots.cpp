@@ -11,7 +11,7 @@ namespace obscura::analysis {
 namespace {
 
 constexpr int kRow_px = 27;
-constexpr int kAround_px = 150;  ///< title, axis and key
+constexpr int kAround_px = 225;  ///< title, axis and key
 
 /// Commands for the words on both sides of a dividing line.
 std::string sides_of(const IntervalPlot& plot) {
@@ -84,7 +84,7 @@ std::vector<std::size_t> used_groups(const IntervalPlot& plot) {
 Plot interval_plot(const IntervalPlot& plot) {
     Plot drawn;
     drawn.name = plot.name;
-    drawn.title = plot.title + (plot.left.empty() ? "" : "\n ");
+    drawn.title = plot.title;
     drawn.height_px = kAround_px + kRow_px * static_cast<int>(plot.rows.size());
     const std::string file = plot.name + ".tsv";
     std::string data = header("row\tvalue\tlow\thigh\tlabel; a block for each group");
@@ -105,9 +105,10 @@ Plot interval_plot(const IntervalPlot& plot) {
     if (groups.empty()) commands = "plot NaN notitle";
     drawn.data = {{file, data}};
     drawn.script = fmt::format(
-        "set key below center horizontal\nset bars 0.6\nset yrange [{}.6:0.4]\n"
-        "set xlabel {}\nset rmargin {}\n",
-        plot.rows.size(), gnuplot_text(plot.axis), longest_note(plot) + 4);
+        "set key below center horizontal height 1\nset bars 0.6\nset yrange [{}.6:0.4]\n"
+        "set title offset 0,1\nset tmargin {}\nset xlabel {}\nset rmargin {}\n",
+        plot.rows.size(), plot.left.empty() ? 3 : 5, gnuplot_text(plot.axis),
+        longest_note(plot) + 4);
     drawn.script +=
         range_of("x", plot.x_low, plot.x_high) + sides_of(plot) + names_of(plot) + commands + '\n';
     return drawn;
@@ -141,9 +142,9 @@ Plot curve_plot(const CurvePlot& plot) {
     }
     if (commands.empty()) commands = "plot NaN notitle";
     drawn.data = {{file, data}};
-    drawn.script =
-        fmt::format("set xlabel {}\nset ylabel {}\nset key below center horizontal\n{}{}\n",
-                    gnuplot_text(plot.x_axis), gnuplot_text(plot.y_axis), plot.extra, commands);
+    drawn.script = fmt::format(
+        "set xlabel {}\nset ylabel {}\nset key below center horizontal height 1\n{}{}\n",
+        gnuplot_text(plot.x_axis), gnuplot_text(plot.y_axis), plot.extra, commands);
     return drawn;
 }
 
@@ -188,7 +189,7 @@ Plot dependence_plot(const DependencePlot& plot) {
     drawn.data = {{points_file, points}, {curve_file, curve}};
     drawn.script = fmt::format(
         "set xlabel {}\nset ylabel 'chose image B (%)'\nset yrange [0:100]\nset bars 0.6\n"
-        "set key below center horizontal\nset offsets graph 0.05, graph 0.08, 0, 0\n"
+        "set key below center horizontal height 1\nset offsets graph 0.05, graph 0.08, 0, 0\n"
         "set arrow from graph 0, first 50 to graph 1, first 50 nohead lc rgb \"#000000\" dt (6,5)\n"
         "set arrow from first 0, graph 0 to first 0, graph 1 nohead lc rgb \"#999999\" dt (2,4)\n"
         "{}\n",

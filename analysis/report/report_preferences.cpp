@@ -54,15 +54,15 @@ std::string interval_cell(const Possible<Interval>& interval) {
 }
 
 Table shares_table(const Analysis& analysis) {
-    Table table{{"Condition", "Validity", "A", "B", "Votes A : B", "B (%)", "95 % interval (%)",
-                 "Cohen's g", "Chi-square", "p", "p, exact", "p, Holm", "p, BH"},
+    Table table{{"Condition", "A", "B", "Votes A : B", "B (%)", "95 % interval (%)", "Cohen's g",
+                 "Chi-square", "p", "p, exact", "p, Holm", "p, BH"},
                 {}};
     for (const ConditionResult* result : by_validity(analysis)) {
         const ConditionVotes& condition = result->condition;
         const Preference& tests = result->preference;
         const bool tested = tests.chi_square.has_value();
         table.rows.push_back(
-            {condition.id, condition.validity, condition.variant_a, condition.variant_b,
+            {condition.id, condition.variant_a, condition.variant_b,
              fmt::format("{} : {}", condition.votes.a, condition.votes.b),
              tests.share_b.has_value() ? fmt::format("{:.1f}", 100.0 * *tests.share_b) : kNoValue,
              interval_cell(tests.wilson),
@@ -118,7 +118,7 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
     std::vector<std::string> shares;
     for (std::size_t i = 0; i < comparison.votes.size(); ++i) {
         const Votes& votes = comparison.votes[i];
-        shares.push_back(fmt::format("{} {} : {}", comparison.levels[i], votes.a, votes.b));
+        shares.push_back(fmt::format("{} {}:{}", comparison.levels[i], votes.a, votes.b));
     }
     std::vector<std::string> row{fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
                                  fmt::format("{}", fmt::join(comparison.conditions, ", ")),

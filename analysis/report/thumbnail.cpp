@@ -19,7 +19,8 @@ constexpr const char* kFormat = "jpeg:90";
 /// Three channels, sRGB code values over 1.
 OIIO::ImageBuf read_image(std::string_view bytes, const std::string& name) {
     OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
-    OIIO::ImageBuf file(name, 0, 0, nullptr, nullptr, &reader);
+    // The name tells OpenImageIO what kind of file the bytes are.
+    OIIO::ImageBuf file("stimulus.png", 0, 0, nullptr, nullptr, &reader);
     OIIO::ImageBuf image;
     if (bytes.empty() || !file.read(0, 0, true, OIIO::TypeDesc::FLOAT) ||
         file.spec().nchannels < 3 || !OIIO::ImageBufAlgo::channels(image, file, 3, {})) {
