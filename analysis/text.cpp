@@ -11,6 +11,9 @@
 namespace obscura::analysis {
 
 bool is_utf8(std::string_view text) {
+    unsigned char all = 0;
+    for (const char byte : text) all |= static_cast<unsigned char>(byte);
+    if (all < 0x80U) return true;  // ASCII, as most of a large file is
     try {
         (void)nlohmann::json(text).dump();  // strict: throws at the first ill-formed byte
         return true;

@@ -85,6 +85,8 @@ std::vector<ExportFile> report_files(const ReportInput& input) {
     add_hypotheses(draft);
     add_scales(draft);
     add_order_bias(draft);
+    add_response_times(draft);
+    add_attention(draft);
     add_power(draft);
     add_preference_and_cost(draft);
     add_speed_and_error(draft);

@@ -7,8 +7,8 @@
 
 #include "analysis/report/published_study.h"
 #include "analysis/report/report_parts.h"
-#include "analysis/report/verdict.h"
 #include "analysis/report/words.h"
+#include "analysis/statistics/holm.h"
 
 namespace obscura::analysis {
 namespace {
@@ -17,6 +17,31 @@ std::string capital(std::string text) {
     if (!text.empty())
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
+}
+
+/// The verdict's sentence without the words that stand above it on the page.
+std::string sentence_of(const Verdict& verdict) {
+    const std::string said =
+        fmt::format("{}: {}. ", verdict.hypothesis, to_string(verdict.conclusion));
+    return verdict.sentence.starts_with(said) ? verdict.sentence.substr(said.size())
+                                              : verdict.sentence;
+}
+
+/// The exact p-value of each condition after Holm's correction over all that have one.
+std::vector<Possible<double>> exact_p_holm(const Analysis& analysis) {
+    std::vector<double> p_values;
+    for (const ConditionResult& result : analysis.conditions) {
+        if (result.preference.exact.has_value()) p_values.push_back(result.preference.exact->p);
+    }
+    const std::vector<double> corrected = holm(p_values);
+    std::vector<Possible<double>> all;
+    std::size_t next = 0;
+    for (const ConditionResult& result : analysis.conditions) {
+        const Possible<PValue>& exact = result.preference.exact;
+        all.push_back(exact.has_value() ? Possible<double>(corrected[next++])
+                                        : Possible<double>::none(exact.reason));
+    }
+    return all;
 }
 
 /// What the conditions say, before and after correction, in one or two sentences.
@@ -59,7 +84,7 @@ void add_answers(ReportDraft& draft) {
     const bool knows_hypotheses = tally.study == kPublishedStudy || is_published_votes(tally);
     draft.page.heading("In short");
     draft.page.paragraph(overall_words(analysis));
-    for (const Verdict& verdict : verdicts(analysis)) {
+    for (const Verdict& verdict : analysis.verdicts) {
         std::string question = verdict.hypothesis;
         if (knows_hypotheses) {
             question += ": " + published_hypothesis(verdict.hypothesis);
@@ -68,9 +93,10 @@ void add_answers(ReportDraft& draft) {
         } else {
             question += ": Image B is preferred in its conditions.";
         }
-        draft.page.answer(question, capital(to_words(verdict.kind)), capital(verdict.sentence));
+        draft.page.answer(question, capital(std::string(to_string(verdict.conclusion))),
+                          capital(sentence_of(verdict)));
     }
-    draft.page.fine_print(verdict_rule());
+    draft.page.fine_print("The rule behind the verdicts. " + verdict_rule());
 }
 
 void add_published_study(ReportDraft& draft) {

@@ -18,9 +18,9 @@ struct SecondChosen {
 
 std::vector<SecondChosen> second_chosen(const Analysis& analysis) {
     std::vector<SecondChosen> rows;
-    for (const ConditionResult* result : by_validity(analysis)) {
-        SecondChosen row{result->condition.id, 0, 0};
-        for (const Answer& answer : result->condition.answers) {
+    for (const ConditionVotes& condition : analysis.tally.conditions) {
+        SecondChosen row{condition.id, 0, 0};
+        for (const Answer& answer : condition.answers) {
             ++row.n;
             if (answer.chose_b == answer.b_second) ++row.chosen;
         }

@@ -43,6 +43,8 @@ void add_preferences(ReportDraft& draft);
 void add_hypotheses(ReportDraft& draft);
 void add_scales(ReportDraft& draft);
 void add_order_bias(ReportDraft& draft);
+void add_response_times(ReportDraft& draft);
+void add_attention(ReportDraft& draft);  ///< and whom the study's rule leaves out
 void add_power(ReportDraft& draft);
 void add_preference_and_cost(ReportDraft& draft);
 void add_speed_and_error(ReportDraft& draft);

@@ -114,6 +114,59 @@ void add_test(std::vector<std::string>& row, const Possible<ChiSquareTest>& test
     row.push_back(test.has_value() ? p_cell(Possible<PValue>(test->p)) : kNoValue);
 }
 
+/// The test over the same participants in few words.
+std::string same_words(const SameParticipants& same) {
+    if (same.mcnemar.has_value()) {
+        return fmt::format("{} to A, {} to B, {} (McNemar, n {})", same.changed.a, same.changed.b,
+                           p_words(same.mcnemar->p()), same.n);
+    }
+    if (!same.cochran_q.has_value()) return "none: " + same.cochran_q.reason;
+    return fmt::format("Q {:.2f}, df {}, {} (Cochran, n {})", same.cochran_q->statistic,
+                       same.cochran_q->df, p_words(same.cochran_q->p), same.n);
+}
+
+/// By how much the share of B differs between levels.
+Table differences_table(const Analysis& analysis) {
+    Table table{{"Variants A | B", "From", "To", "B changes by (points)", "95 % interval (points)",
+                 "Interval from"},
+                {}};
+    for (const Comparison& comparison : analysis.validity.by_level) {
+        for (const LevelDifference& difference : comparison.differences) {
+            table.rows.push_back(
+                {fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
+                 comparison.levels[difference.from], comparison.levels[difference.to],
+                 fmt::format("{:+.1f}", 100.0 * difference.difference),
+                 fmt::format("{:+.1f} to {:+.1f}", 100.0 * difference.interval.low,
+                             100.0 * difference.interval.high),
+                 difference.is_resampled ? "participants drawn anew" : "counts (Newcombe)"});
+        }
+    }
+    return table;
+}
+
+/// The votes of each hypothesis together.
+Table hypotheses_table(const Analysis& analysis) {
+    Table table{{"Hypothesis", "Conditions", "Votes A : B", "B (%)", "95 % interval (%)",
+                 "p, chi-square", "p, participants"},
+                {}};
+    for (const HypothesisResult& result : analysis.hypotheses) {
+        const Preference& pooled = result.pooled;
+        const bool is_resampled = result.resampled.has_value();
+        table.rows.push_back(
+            {result.name, fmt::format("{}", fmt::join(result.conditions, ", ")),
+             fmt::format("{} : {}", pooled.votes.a, pooled.votes.b),
+             pooled.share_b.has_value() ? fmt::format("{:.1f}", 100.0 * *pooled.share_b) : kNoValue,
+             is_resampled ? fmt::format("{:.1f} to {:.1f}", 100.0 * result.resampled->low,
+                                        100.0 * result.resampled->high)
+                          : interval_cell(pooled.wilson),
+             pooled.chi_square.has_value() ? p_cell(Possible<PValue>(pooled.chi_square->p))
+                                           : kNoValue,
+             result.by_participant.has_value() ? p_cell(Possible<PValue>(result.by_participant->p))
+                                               : kNoValue});
+    }
+    return table;
+}
+
 std::vector<std::string> comparison_row(const Comparison& comparison) {
     std::vector<std::string> shares;
     for (std::size_t i = 0; i < comparison.votes.size(); ++i) {
@@ -126,7 +179,7 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
     add_test(row, comparison.test);
     row.push_back(p_cell(comparison.fisher));
     if (comparison.same_participants.has_value()) {
-        row.push_back(test_words(comparison));
+        row.push_back(same_words(*comparison.same_participants));
     } else {
         row.push_back(fmt::format("none: {}", comparison.same_participants.reason));
     }
@@ -166,7 +219,18 @@ void add_preferences(ReportDraft& draft) {
 
 void add_hypotheses(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
-    draft.page.heading("Does the preference depend on validity?");
+    draft.page.heading("The hypotheses in numbers");
+    if (!analysis.hypotheses.empty()) {
+        draft.page.table(
+            hypotheses_table(analysis),
+            "The votes of each hypothesis's conditions together. p, chi-square takes all votes as "
+            "independent; p, participants compares each participant's sum with its mirror image "
+            "and "
+            "is the one to read where it is known. The interval draws participants anew where "
+            "their "
+            "answers are known, else it is Wilson's.");
+    }
+    draft.page.heading("Does the preference depend on validity?", 3);
     if (analysis.validity.by_level.empty()) {
         draft.page.paragraph(analysis.validity.sentence);
         return;
@@ -188,7 +252,12 @@ void add_hypotheses(ReportDraft& draft) {
         "counts, as if different people had answered at each level; Fisher's exact test where two "
         "are compared. Same participants: Cochran's Q or McNemar's test, which are the ones to "
         "read "
-        "where each participant's answers are known.");
+        "where each participant's answers are known (how many changed to A and to B).");
+    const Table differences = differences_table(analysis);
+    if (differences.rows.empty()) return;
+    draft.page.table(
+        differences,
+        "By how many percentage points the share of B changes from one level to another.");
 }
 
 void add_scales(ReportDraft& draft) {
@@ -220,8 +289,8 @@ void add_scales(ReportDraft& draft) {
         plot.line = 0.0;
         plot.left = "less preferred";
         plot.right = "more preferred";
-        Table table{{"Variant", "JOD", "Standard error (JOD)", "Bradley-Terry log odds",
-                     "Standard error (log odds)"},
+        Table table{{"Variant", "JOD", "SE (JOD)", "Bradley-Terry (log odds)", "SE (log odds)",
+                     "95 %, participants drawn anew (JOD)"},
                     {}};
         std::vector<std::size_t> order(scale.variants.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -237,13 +306,20 @@ void add_scales(ReportDraft& draft) {
             table.rows.push_back(
                 {scale.variants[i], fmt::format("{:+.3f}", value), fmt::format("{:.3f}", error),
                  odds.has_value() ? fmt::format("{:+.3f}", odds->values[i]) : kNoValue,
-                 odds.has_value() ? fmt::format("{:.3f}", odds->standard_errors[i]) : kNoValue});
+                 odds.has_value() ? fmt::format("{:.3f}", odds->standard_errors[i]) : kNoValue,
+                 scale.resampled_jod.has_value()
+                     ? fmt::format("{:+.2f} to {:+.2f}", (*scale.resampled_jod)[i].low,
+                                   (*scale.resampled_jod)[i].high)
+                     : kNoValue});
         }
         draft.plot(interval_plot(plot),
                    fmt::format("Thurstone's Case V by maximum likelihood; {} is the reference and "
                                "stands at 0.",
                                scale.variants.front()));
-        draft.page.table(table, "The same in numbers, with the scale of Bradley and Terry.");
+        draft.page.table(table,
+                         "The same in numbers, with the scale of Bradley and Terry. SE: standard "
+                         "error, which takes the answers as independent; the interval that draws "
+                         "participants anew does not.");
     }
 }
 
