@@ -65,18 +65,13 @@ class Placement {
     ~Placement() {
         std::error_code ignored;
         for (const std::string& name : placed_) fs::remove(to_ / name, ignored);
-        for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
-            fs::remove(*folder, ignored);
-        }
         for (const std::string& name : set_aside_) fs::rename(aside(name), to_ / name, ignored);
     }
     Placement(const Placement&) = delete;
     Placement& operator=(const Placement&) = delete;
 
     void place(const std::string& name) {
-        make_folders((to_ / name).parent_path());
         if (fs::exists(fs::symlink_status(to_ / name))) {
-            fs::create_directories(aside(name).parent_path());
             move(to_ / name, aside(name));
             set_aside_.push_back(name);
         }
@@ -86,21 +81,11 @@ class Placement {
     void keep() {
         placed_.clear();
         set_aside_.clear();
-        made_.clear();
     }
 
   private:
-    [[nodiscard]] fs::path aside(const std::string& name) const { return from_ / "earlier" / name; }
-    /// Those that are not there, from the outermost.
-    void make_folders(const fs::path& folder) {
-        if (folder.empty() || fs::is_directory(folder)) return;
-        make_folders(folder.parent_path());
-        std::error_code error;
-        fs::create_directory(folder, error);
-        if (error) {
-            throw base::failure("cannot make the folder {}: {}", folder.string(), error.message());
-        }
-        made_.push_back(folder);
+    [[nodiscard]] fs::path aside(const std::string& name) const {
+        return from_ / ("earlier-" + name);
     }
     static void move(const fs::path& from, const fs::path& to) {
         std::error_code error;
@@ -115,7 +100,6 @@ class Placement {
     fs::path to_;
     std::vector<std::string> placed_;
     std::vector<std::string> set_aside_;
-    std::vector<fs::path> made_;  ///< folders
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace obscura::analysis {
 
 /// A file of an export, not yet written.
 struct ExportFile {
-    std::string name;  ///< relative to the export's folder; may begin with folders of its own
+    std::string name;
     std::string bytes;
 };
 

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "analysis/export/export_folder.h"
+#include "analysis/report/published_study.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/words.h"
 #include "renderer/base/error.h"
@@ -26,6 +28,7 @@ std::string title_of(const ReportInput& input) {
     const Tally& tally = input.analysis.tally;
     std::string title = input.study.title;
     if (title.empty()) title = tally.study.empty() ? "Which image was preferred?" : tally.study;
+    if (is_published_votes(tally)) title += ": the published votes";
     return title;
 }
 
@@ -75,7 +78,7 @@ void ReportDraft::plot(Plot plot, const std::string& caption) {
     page.svg(drawn.svg, svg, caption);
 }
 
-std::vector<ExportFile> report_files(const ReportInput& input) {
+std::vector<ReportFile> report_files(const ReportInput& input) {
     ReportDraft draft(input);
     add_answers(draft);
     add_published_study(draft);
@@ -96,6 +99,12 @@ std::vector<ExportFile> report_files(const ReportInput& input) {
     draft.file("analysis.txt", text_report(input.analysis));
     draft.file("analysis.json", json_report(input.analysis));
     return std::move(draft.files);
+}
+
+void write_report(const std::vector<ReportFile>& files, const fs::path& folder) {
+    ExportFolder place(folder, true);
+    for (const ReportFile& file : files) place.add(file.name, file.bytes);
+    place.keep();
 }
 
 }  // namespace obscura::analysis

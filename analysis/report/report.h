@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/export/csv_export.h"
 #include "analysis/report/analysis.h"
 #include "analysis/report/attendance.h"
 #include "analysis/report/measurement_table.h"
@@ -47,10 +46,20 @@ struct ReportInput {
     std::string measurement_unknown;  ///< why there is none
 };
 
+/// A file of a report, not yet written.
+struct ReportFile {
+    std::string name;  ///< relative to the report's folder; may begin with a folder
+    std::string bytes;
+};
+
 /// The whole report as files: report.html (one self-contained page), report.md, analysis.txt,
 /// analysis.json, and in plots/ and thumbnails/ what the pages show, with each plot's script and
 /// data. The same input gives the same bytes. Without gnuplot the tables stand alone and the page
 /// says so. Throws failure when there is no place for temporary files.
-[[nodiscard]] std::vector<ExportFile> report_files(const ReportInput& input);
+[[nodiscard]] std::vector<ReportFile> report_files(const ReportInput& input);
+
+/// Puts all of the files into the folder or none, in place of an earlier report's. Throws bad input
+/// when the folder cannot be written; failure, with everything as it was, when writing fails.
+void write_report(const std::vector<ReportFile>& files, const std::filesystem::path& folder);
 
 }  // namespace obscura::analysis

@@ -105,8 +105,8 @@ Table fits_table(const PreferenceCurve& curve, const Quantity& quantity) {
 }
 
 /// How much error people notice, as far as the votes say.
-std::string error_words(const PreferenceCurve& curve) {
-    const Possible<PreferenceFit>& fit = curve.overall;
+std::string error_words(const PreferenceAndCost& joined) {
+    const Possible<PreferenceFit>& fit = joined.by_error.overall;
     if (!fit.has_value()) {
         return fmt::format("How much error people notice here is unknown: {}.", fit.reason);
     }
@@ -124,12 +124,25 @@ std::string error_words(const PreferenceCurve& curve) {
     const double enough = std::abs(*fit->difference_75);
     const double one = std::abs(fit->difference_75_interval->low);
     const double other = std::abs(fit->difference_75_interval->high);
-    return fmt::format(
+    std::string text = fmt::format(
         "75 % choose the {} accurate image when the two differ by {:.3g} of RMSE (95 % interval "
         "{:.3g} "
         "to {:.3g}; {}).",
         fit->slope < 0.0 ? "more" : "less", enough, std::min(one, other), std::max(one, other),
         p_words(fit->likelihood_ratio.p));
+    double largest = 0.0;
+    for (const MeasuredPair& pair : joined.pairs) {
+        if (pair.error_difference.has_value()) {
+            largest = std::max(largest, std::abs(*pair.error_difference));
+        }
+    }
+    if (enough > largest) {
+        text += fmt::format(
+            " No pair shown differs by more than {:.3g}, so this lies beyond what was seen: a "
+            "guess.",
+            largest);
+    }
+    return text;
 }
 
 /// What leaving the dearer image out would save, over the pairs.
@@ -199,7 +212,7 @@ void add_preference_and_cost(ReportDraft& draft) {
             fmt::format("Unknown: no condition has both its images in the measurement {}.",
                         input.measurement->source));
     } else {
-        draft.page.paragraph(error_words(joined.by_error));
+        draft.page.paragraph(error_words(joined));
         draft.page.paragraph(savings_words(joined));
         if (is_published_votes(input.analysis.tally)) {
             draft.page.notice(

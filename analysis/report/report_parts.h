@@ -28,7 +28,7 @@ class ReportDraft {
 
     const ReportInput& input;
     Page page;
-    std::vector<ExportFile> files;
+    std::vector<ReportFile> files;
 
   private:
     std::filesystem::path folder_;

@@ -5,11 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace obscura::analysis {
 namespace {
 
+/// Points of a series of its own each: fourteen shapes, so that also those can be told apart that
+/// share one of the eight colours.
+constexpr std::array<int, 14> kShapes{7, 9, 5, 6, 13, 8, 4, 12, 11, 15, 2, 10, 1, 14};
 constexpr int kRow_px = 27;
 constexpr int kAround_px = 225;  ///< title, axis and key
 
@@ -81,7 +85,12 @@ std::vector<std::size_t> used_groups(const IntervalPlot& plot) {
 
 }  // namespace
 
-Plot interval_plot(const IntervalPlot& plot) {
+Plot interval_plot(const IntervalPlot& all) {
+    IntervalPlot plot = all;
+    if (plot.rows.size() > kMostRows) {
+        plot.title += fmt::format(" (the first {} of {})", kMostRows, plot.rows.size());
+        plot.rows.resize(kMostRows);
+    }
     Plot drawn;
     drawn.name = plot.name;
     drawn.title = plot.title;
@@ -130,10 +139,11 @@ Plot curve_plot(const CurvePlot& plot) {
             data += '\n';
         }
         if (series.points.empty()) continue;
-        commands +=
-            fmt::format("{}{} index {} using 1:2 with {} lt {} title {}",
-                        commands.empty() ? "plot " : ", \\\n     ", gnuplot_text(file), i,
-                        series.is_line ? "lines" : "points", i % 8 + 1, gnuplot_text(series.title));
+        commands += fmt::format(
+            "{}{} index {} using 1:2 with {} lt {} title {}",
+            commands.empty() ? "plot " : ", \\\n     ", gnuplot_text(file), i,
+            series.is_line ? "lines" : fmt::format("points pt {}", kShapes[i % kShapes.size()]),
+            i % 8 + 1, gnuplot_text(series.title));
         if (!series.is_labelled) continue;
         commands += fmt::format(
             ", \\\n     {} index {} using 1:2:3 with labels left offset 0.8,0.4 font \",12\" "

@@ -37,8 +37,12 @@ struct IntervalPlot {
     double x_high = 0.0;
 };
 
-/// Its height grows with the rows.
-[[nodiscard]] Plot interval_plot(const IntervalPlot& plot);
+/// More rows than this make no picture that anyone could read; the table has them all.
+inline constexpr std::size_t kMostRows = 100;
+
+/// Its height grows with the rows; of more than kMostRows the first are drawn, and the title says
+/// so.
+[[nodiscard]] Plot interval_plot(const IntervalPlot& all);
 
 /// A line through points, or points alone.
 struct Series {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "analysis/report/preference_and_cost.h"
+#include "analysis/report/published_study.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/report_plots.h"
 #include "analysis/report/words.h"
@@ -79,8 +80,8 @@ Plot speed_plot(const Overview& overview) {
     // Nothing costs nothing, so a logarithmic axis is only for techniques that cost something.
     const bool is_logarithmic = std::all_of(overview.settings.begin(), overview.settings.end(),
                                             [](const Setting& one) { return one.ms > 0.0; });
-    plot.extra = is_logarithmic ? "set logscale x\n" : "";
-    plot.extra += "set yrange [0:*]\nset offsets graph 0.02, graph 0.1, graph 0.05, 0\n";
+    plot.extra = is_logarithmic ? "set logscale x\n" : "set xrange [0:*]\n";
+    plot.extra += "set yrange [0:*]\nset offsets 0, graph 0.1, graph 0.05, 0\n";
     for (const Setting& setting : overview.settings) {
         if (plot.series.empty() || plot.series.back().title != setting.technique) {
             plot.series.push_back({setting.technique, {}, false, true, {}});
@@ -144,7 +145,9 @@ void add_methods(ReportDraft& draft) {
     const Tally& tally = draft.input.analysis.tally;
     draft.page.heading("How this was computed");
     draft.page.list({
-        fmt::format("Answers: {}{}.", tally.source,
+        fmt::format("Answers: {}{}.",
+                    is_published_votes(tally) ? "Jakobsen 2010, Table 4, as built into this program"
+                                              : tally.source,
                     tally.study.empty() ? "" : fmt::format(", study {}", tally.study)),
         "Conditions are compared within participants where each participant's answers are known "
         "(Cochran's Q, McNemar's test), else from counts. Votes that are pooled over conditions "

@@ -9,6 +9,7 @@
 namespace obscura::analysis {
 namespace {
 
+constexpr const char* kNoBreakSpace = "\u00a0";
 constexpr double kShownAsPower = 1e-290;
 constexpr double kShownWithExponent = 1e-3;
 
@@ -34,11 +35,12 @@ std::string p_cell(const Possible<double>& p) {
 }
 
 std::string percent(double share, int decimals) {
-    return fmt::format("{:.{}f} %", 100.0 * share, decimals);
+    return fmt::format("{:.{}f}{}%", 100.0 * share, decimals, kNoBreakSpace);
 }
 
 std::string percent(const Interval& interval) {
-    return fmt::format("{:.0f} to {:.0f} %", 100.0 * interval.low, 100.0 * interval.high);
+    return fmt::format("{:.0f} to {:.0f}{}%", 100.0 * interval.low, 100.0 * interval.high,
+                       kNoBreakSpace);
 }
 
 std::string cell(const Possible<double>& value, int decimals) {

@@ -15,7 +15,6 @@
 #include "app/commands/list.h"
 #include "app/commands/report_input.h"
 #include "renderer/base/files.h"
-#include "renderer/base/log.h"
 
 namespace obscura::app {
 namespace {
@@ -87,8 +86,9 @@ void write_report(analysis::Analysis result, Answers answers, const Options& opt
     input.attendance = std::move(answers.attendance);
     add_sources(input,
                 {globals.data, study_of(options, input.analysis.tally), options.measurement});
-    analysis::write_export(analysis::report_files(input), options.out, true);
-    spdlog::info("report    {}", (options.out / "report.html").string());
+    analysis::write_report(analysis::report_files(input), options.out);
+    if (globals.quiet) return;
+    fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
 }
 
 base::ExitCode analyze(const Options& options, const Globals& globals) {

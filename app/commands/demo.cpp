@@ -121,7 +121,7 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
         url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
     add_sources(input, {out, study, {}});
-    analysis::write_export(analysis::report_files(input), reports, true);
+    analysis::write_report(analysis::report_files(input), reports);
     return analysis::text_report(input.analysis);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -30,9 +31,9 @@ ReportInput input_of(const Tally& tally) {
     return input;
 }
 
-std::string file_of(const std::vector<ExportFile>& files, const std::string& name) {
+std::string file_of(const std::vector<ReportFile>& files, const std::string& name) {
     const auto found = std::find_if(files.begin(), files.end(),
-                                    [&](const ExportFile& file) { return file.name == name; });
+                                    [&](const ReportFile& file) { return file.name == name; });
     if (found == files.end()) ADD_FAILURE() << name << " is not in the report";
     return found == files.end() ? "" : found->bytes;
 }
@@ -105,14 +106,23 @@ TEST(Report, HoldsWithOneConditionWithFortyAndWithoutAnswers) {
                  std::to_string(i) + ",None," + std::to_string(i) + ",20\n";
     }
     for (const std::string& votes :
-         {kHeader + "only,H1,low,A,B,3,5\n", kHeader + "only,,,A,B,0,0\n",
+         {kHeader + "only,H1,low,A,B,3,5\n", kHeader + "only,,low,A,B,0,0\n",
           kHeader + "one,H1,low,A,B,0,9\ntwo,H1,low,A,B,9,0\n",
           kHeader + "I,H1,low,A,B,500000000,500100000\n", forty}) {
         const auto files = report_files(input_of(parse_counts(votes, "votes.csv")));
         EXPECT_THAT(file_of(files, "plots/shares.svg"), HasSubstr("</svg>"));
         const std::string page = file_of(files, "report.md");
-        EXPECT_THAT(page, AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+        EXPECT_THAT(page, Not(testing::ContainsRegex("[| (:](nan|inf|-nan|-inf)[ )|]")));
     }
+}
+
+TEST(Report, DrawsNoMoreRowsThanAnyoneCanReadAndSaysSo) {
+    std::string many = kHeader;
+    for (int i = 1; i <= 150; ++i) many += fmt::format("C{},H1,low,A{},B,3,5\n", i, i);
+    const auto files = report_files(input_of(parse_counts(many, "votes.csv")));
+    EXPECT_THAT(file_of(files, "plots/shares.svg"),
+                AllOf(HasSubstr("(the first 100 of 150)"), Not(HasSubstr("C101 "))));
+    EXPECT_THAT(file_of(files, "report.md"), HasSubstr("| C150 |"));
 }
 
 TEST(Report, NamesConditionsThatNobodyAnswered) {
@@ -138,7 +148,7 @@ TEST(Report, MarksSimulatedDataOnThePageAndInEveryPlot) {
     const auto files = report_files(input);
     EXPECT_THAT(file_of(files, "report.html"), HasSubstr("<p class=\"mark\">SIMULATED DATA"));
     EXPECT_THAT(file_of(files, "report.md"), HasSubstr("SIMULATED DATA"));
-    for (const ExportFile& file : files) {
+    for (const ReportFile& file : files) {
         if (file.name.ends_with(".svg")) {
             EXPECT_THAT(file.bytes, HasSubstr("SIMULATED")) << file.name;
         }
