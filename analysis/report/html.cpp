@@ -97,6 +97,8 @@ std::string html_escaped(std::string_view text) {
 
 Page::Page(std::string title) : title_(std::move(title)) {}
 
+void Page::mark(std::string_view text) { mark_ = text; }
+
 void Page::heading(std::string_view text, int level) {
     level = std::clamp(level, 2, 4);
     if (level == 2) {
@@ -123,6 +125,11 @@ void Page::list(const std::vector<std::string>& items) {
     }
     html_ += "</ul>\n";
     markdown_ += '\n';
+}
+
+void Page::fine_print(std::string_view text) {
+    html_ += fmt::format("<p class=\"fine\">{}</p>\n", html_escaped(text));
+    markdown_ += markdown_escaped(text) + "\n\n";
 }
 
 void Page::notice(std::string_view text) {
@@ -188,11 +195,16 @@ std::string Page::html() const {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n"
+        "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n{4}<main>\n<h1>{0}</h1>\n"
         "{2}{3}</main>\n</body>\n</html>\n",
-        html_escaped(title_), embedded("report/page.css"), contents, html_);
+        html_escaped(title_), embedded("report/page.css"), contents, html_,
+        mark_.empty() ? "" : fmt::format("<p class=\"mark\">{}</p>\n", html_escaped(mark_)));
 }
 
-std::string Page::markdown() const { return "# " + markdown_escaped(title_) + "\n\n" + markdown_; }
+std::string Page::markdown() const {
+    const std::string mark =
+        mark_.empty() ? "" : fmt::format("> **{}**\n\n", markdown_escaped(mark_));
+    return "# " + markdown_escaped(title_) + "\n\n" + mark + markdown_;
+}
 
 }  // namespace obscura::analysis

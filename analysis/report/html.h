@@ -21,10 +21,14 @@ class Page {
   public:
     explicit Page(std::string title);
 
+    /// What stays in view on every screen and printed page, such as that data are simulated.
+    void mark(std::string_view text);
     /// Level 2 to 4. Those of level 2 are listed at the top of the page with links.
     void heading(std::string_view text, int level = 2);
     void paragraph(std::string_view text);
     void list(const std::vector<std::string>& items);
+    /// What only some readers want to know, in small type.
+    void fine_print(std::string_view text);
     /// What must not be overlooked, framed.
     void notice(std::string_view text);
     /// An answer that stands out: the question, the verdict in a few words, and a sentence.
@@ -45,6 +49,7 @@ class Page {
 
   private:
     std::string title_;
+    std::string mark_;
     std::vector<std::string> contents_;  ///< headings of level 2
     std::string html_;
     std::string markdown_;

@@ -5,11 +5,15 @@
 #include <memory>
 
 #include "analysis/counts_file.h"
+#include "analysis/published_votes.h"
 #include "analysis/report/analysis.h"
+#include "analysis/report/published_study.h"
+#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "analysis/tally.h"
 #include "analysis/trials_file.h"
 #include "app/commands/list.h"
+#include "app/commands/report_input.h"
 #include "renderer/base/files.h"
 
 namespace obscura::app {
@@ -19,61 +23,133 @@ struct Options {
     std::string db;  ///< empty: the data folder's
     std::string counts;
     std::string trials;
+    bool published = false;
     std::string study;
+    std::string study_file;
     std::string kind = "participant";
     bool json = false;
-    std::filesystem::path out;  ///< empty: nothing is written
+    std::filesystem::path measurement;  ///< empty: the data folder's
+    std::filesystem::path out;          ///< empty: nothing is written
 };
 
-analysis::Tally tally_of_store(const std::string& url, const Options& options) {
+/// The votes, and who gave them where that is known.
+struct Answers {
+    analysis::Tally tally;
+    analysis::Possible<analysis::Attendance> attendance =
+        analysis::Possible<analysis::Attendance>::none("only votes are known");
+};
+
+Answers answers_of_store(const std::string& url, const Options& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     const auto kind = analysis::kind_from(options.kind);
-    return analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
+    Answers answers;
+    store.of_one_moment([&] {
+        answers.tally =
+            analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
+        if (!options.out.empty()) {
+            answers.attendance = analysis::attendance_of(store, answers.tally.study, *kind);
+        }
+    });
+    return answers;
 }
 
-analysis::Tally tally_of(const Options& options, const Globals& globals) {
-    if (!options.counts.empty()) return analysis::read_counts(options.counts);
+Answers answers_of(const Options& options, const Globals& globals) {
+    if (options.published) return {analysis::published_votes()};
+    if (!options.counts.empty()) return {analysis::read_counts(options.counts)};
     if (options.trials.empty()) {
-        return tally_of_store(options.db.empty() ? globals.store_url() : options.db, options);
+        return answers_of_store(options.db.empty() ? globals.store_url() : options.db, options);
     }
-    return analysis::tally_of(analysis::read_trials(options.trials), options.study,
-                              *analysis::kind_from(options.kind));
+    Answers answers{analysis::tally_of(analysis::read_trials(options.trials), options.study,
+                                       *analysis::kind_from(options.kind))};
+    answers.attendance = analysis::Possible<analysis::Attendance>::none(
+        "a file of answers says nothing of the people");
+    return answers;
+}
+
+/// The study that the answers are to, where its file is known.
+std::optional<stimuli::Study> study_of(const Options& options, const analysis::Tally& tally) {
+    if (options.study_file.empty()) {
+        return builtin_study(is_published_votes(tally) ? analysis::kPublishedStudy : tally.study);
+    }
+    stimuli::Study study = stimuli::load_study(options.study_file);
+    if (!tally.study.empty() && study.name != tally.study) {
+        throw base::bad_input("--study-file: {} is the study {}, the answers are to {}",
+                              options.study_file, study.name, tally.study);
+    }
+    return study;
+}
+
+void write_report(analysis::Analysis result, Answers answers, const Options& options,
+                  const Globals& globals) {
+    analysis::ReportInput input;
+    input.analysis = std::move(result);
+    input.attendance = std::move(answers.attendance);
+    add_sources(input,
+                {globals.data, study_of(options, input.analysis.tally), options.measurement});
+    analysis::write_report(analysis::report_files(input), options.out);
+    if (globals.quiet) return;
+    fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
 }
 
 base::ExitCode analyze(const Options& options, const Globals& globals) {
     if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
-    const analysis::Analysis result = analysis::analyse(tally_of(options, globals));
-    const std::string text = analysis::text_report(result);
-    const std::string json = analysis::json_report(result);
+    Answers answers = answers_of(options, globals);
+    analysis::Analysis result = analysis::analyse(answers.tally);
+    const std::string shown =
+        options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
-        base::write_file_atomically(options.out / "analysis.txt", text);
-        base::write_file_atomically(options.out / "analysis.json", json);
+        write_report(std::move(result), std::move(answers), options, globals);
     }
-    fmt::print("{}", options.json ? json : text);
+    fmt::print("{}", shown);
     return base::ExitCode::kDone;
+}
+
+void attach_sources(CLI::App& app, Options& options) {
+    auto* db = app.add_option("--db", options.db,
+                              "Response store, sqlite3://FILE or postgresql://... "
+                              "[sqlite3://DATA/responses.sqlite]");
+    auto* counts = app.add_option(
+        "--counts", options.counts,
+        "Votes from a CSV file: condition,hypothesis,validity,variant_a,variant_b,count_a,count_b");
+    auto* trials = app.add_option(
+        "--trials", options.trials,
+        "Answers from a CSV file, one row a trial: observer,condition_A,condition_B,is_A_selected "
+        "and optional session_id,scene,order; or an exported trials.csv");
+    auto* published = app.add_flag("--published", options.published,
+                                   "The votes of Jakobsen 2010, Table 4, which are built in");
+    auto* study =
+        app.add_option("--study", options.study, "Study to analyse, where there are several");
+    auto* kind = app.add_option("--kind", options.kind, "Whose answers: participant or simulated")
+                     ->check(CLI::IsMember({"participant", "simulated"}))
+                     ->capture_default_str();
+    counts->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
+    published->excludes(counts)->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
+    trials->excludes(db);
 }
 
 std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
     auto options = std::make_shared<Options>();
-    auto* db = app.add_option("--db", options->db,
-                              "Response store, sqlite3://FILE or postgresql://... "
-                              "[sqlite3://DATA/responses.sqlite]");
-    auto* counts = app.add_option(
-        "--counts", options->counts,
-        "Votes from a CSV file: condition,hypothesis,validity,variant_a,variant_b,count_a,count_b");
-    auto* trials = app.add_option(
-        "--trials", options->trials,
-        "Answers from a CSV file, one row a trial: observer,condition_A,condition_B,is_A_selected "
-        "and optional session_id,scene,order; or an exported trials.csv");
-    auto* study =
-        app.add_option("--study", options->study, "Study to analyse, where there are several");
-    auto* kind = app.add_option("--kind", options->kind, "Whose answers: participant or simulated")
-                     ->check(CLI::IsMember({"participant", "simulated"}))
-                     ->capture_default_str();
-    counts->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
-    trials->excludes(db);
+    attach_sources(app, *options);
     app.add_flag("--json", options->json, "Print JSON instead of a table");
-    app.add_option("--out", options->out, "Folder for analysis.txt and analysis.json");
+    auto* out = app.add_option("--out", options->out,
+                               "Folder for the report: report.html, report.md, analysis.txt, "
+                               "analysis.json, plots/, thumbnails/; what is there is replaced")
+                    ->type_name("DIR");
+    app.add_option("--study-file", options->study_file,
+                   "Study file, for the report's title and question [the built-in study of that "
+                   "name]")
+        ->type_name("FILE")
+        ->needs(out);
+    app.add_option(
+           "--measurement", options->measurement,
+           "Table of obscura measure, for speed, error and what relates them to the answers "
+           "[DATA/reports/measure/measure.csv, where it is there]")
+        ->type_name("FILE")
+        ->needs(out);
+    app.footer(
+        "The report shows the images of DATA/stimuli/STUDY that the answers were given to. Its "
+        "plots "
+        "need gnuplot; without it the tables stand alone.");
     return [options, &globals] { return analyze(*options, globals); };
 }
 

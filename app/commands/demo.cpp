@@ -7,11 +7,12 @@
 
 #include "analysis/export/contents.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/analysis.h"
+#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
 #include "app/kiosk/machine.h"
+#include "app/commands/report_input.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"
 #include "app/kiosk/store_lock.h"
@@ -110,9 +111,11 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     fs::rename(beside, file);
 }
 
+/// Writes tables and the report, and gives the analysis as text.
 [[nodiscard]] std::string analyse(const stimuli::Study& study,
-                                  const analysis::ExportedStudy& exported, const fs::path& file,
-                                  const fs::path& reports) {
+                                  const analysis::ExportedStudy& exported, const fs::path& out,
+                                  const fs::path& file) {
+    const fs::path reports = out / "reports";
     Store store(url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
     analysis::ExportOptions export_options;
@@ -121,12 +124,13 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     export_options.studies = {exported};
     export_options.software = kiosk::software_version();
     (void)analysis::export_store(store, export_options);
-    const analysis::Analysis result = analysis::analyse(analysis::tally_trials(
+    analysis::ReportInput input;
+    input.analysis = analysis::analyse(analysis::tally_trials(
         url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
-    base::write_file_atomically(reports / "analysis.json", analysis::json_report(result));
-    std::string text = analysis::text_report(result);
-    base::write_file_atomically(reports / "analysis.txt", text);
-    return text;
+    input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
+    add_sources(input, {out, study, {}});
+    analysis::write_report(analysis::report_files(input), reports);
+    return analysis::text_report(input.analysis);
 }
 
 base::ExitCode demo(const Options& options, const Globals& globals) {
@@ -140,16 +144,16 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     spdlog::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
     const std::string report =
-        analyse(study, exported_study(stimuli::study_source(options.study), study, images), file,
-                out / "reports");
+        analyse(study, exported_study(stimuli::study_source(options.study), study, images), out,
+                file);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"
-        "images    {}\nanswers   {}\ntables    {}\nanalysis  {}\n",
+        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n",
         options.participants == 1 ? "The observer is"
                                   : fmt::format("The {} observers are", options.participants),
         images.string(), file.string(), (out / "reports" / "export").string(),
-        (out / "reports" / "analysis.txt").string());
+        (out / "reports" / "report.html").string());
     return base::ExitCode::kDone;
 }
 

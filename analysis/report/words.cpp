@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/report/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace obscura::analysis {
+namespace {
+
+constexpr const char* kNoBreakSpace = "\u00a0";
+constexpr double kShownAsPower = 1e-290;
+constexpr double kShownWithExponent = 1e-3;
+
+std::string p_number(const PValue& p, int decimals) {
+    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
+    return p.p < kShownWithExponent ? fmt::format("{:.1e}", p.p)
+                                    : fmt::format("{:.{}f}", p.p, decimals);
+}
+
+}  // namespace
+
+std::string p_words(const PValue& p) { return "p = " + p_number(p, 3); }
+
+std::string p_cell(const Possible<PValue>& p) {
+    constexpr int kDecimals = 4;
+    return p.has_value() ? p_number(*p, kDecimals) : kNoValue;
+}
+
+std::string p_cell(const Possible<double>& p) {
+    if (!p.has_value()) return kNoValue;
+    if (*p < kShownAsPower) return fmt::format("<{:g}", kShownAsPower);
+    return p_cell(Possible<PValue>(PValue{*p, std::log10(*p)}));
+}
+
+std::string percent(double share, int decimals) {
+    return fmt::format("{:.{}f}{}%", 100.0 * share, decimals, kNoBreakSpace);
+}
+
+std::string percent(const Interval& interval) {
+    return fmt::format("{:.0f} to {:.0f}{}%", 100.0 * interval.low, 100.0 * interval.high,
+                       kNoBreakSpace);
+}
+
+std::string cell(const Possible<double>& value, int decimals) {
+    return value.has_value() ? fmt::format("{:.{}f}", *value, decimals) : kNoValue;
+}
+
+std::string counted(std::int64_t n, std::string_view singular, std::string_view plural) {
+    if (n == 1) return fmt::format("1 {}", singular);
+    return plural.empty() ? fmt::format("{} {}s", n, singular) : fmt::format("{} {}", n, plural);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    if (words.empty()) return "none";
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        text += (i + 1 == words.size() ? " and " : ", ") + words[i];
+    }
+    return text;
+}
+
+std::string who(const Tally& tally, std::int64_t n) {
+    return counted(n, tally.kind == Kind::kSimulated ? "simulated observer" : "participant");
+}
+
+std::size_t level_number(std::string_view validity) {
+    constexpr std::array<std::string_view, 3> kLevels{"low", "moderate", "high"};
+    return static_cast<std::size_t>(std::find(kLevels.begin(), kLevels.end(), validity) -
+                                    kLevels.begin());
+}
+
+std::vector<const ConditionResult*> by_validity(const Analysis& analysis) {
+    std::vector<const ConditionResult*> ordered;
+    for (const ConditionResult& result : analysis.conditions) ordered.push_back(&result);
+    std::stable_sort(ordered.begin(), ordered.end(), [](const auto* one, const auto* other) {
+        return level_number(one->condition.validity) < level_number(other->condition.validity);
+    });
+    return ordered;
+}
+
+std::string label_of(const ConditionVotes& condition) {
+    std::string text =
+        fmt::format("{}: {} | {}", condition.id, condition.variant_a, condition.variant_b);
+    if (!condition.validity.empty()) text += fmt::format(" ({})", condition.validity);
+    return text;
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/report/analysis.h"
+
+namespace obscura::analysis {
+
+/// What a table shows where there is no value.
+inline constexpr const char* kNoValue = "–";
+
+/// A p-value in running text: `p = 0.019`, `p = 2.9e-11`, `p = 10^-1004.03`.
+[[nodiscard]] std::string p_words(const PValue& p);
+/// The same in a table, without its name.
+[[nodiscard]] std::string p_cell(const Possible<PValue>& p);
+[[nodiscard]] std::string p_cell(const Possible<double>& p);
+
+/// A share, 0 to 1, in per cent: `69 %`; with `decimals` behind the point.
+[[nodiscard]] std::string percent(double share, int decimals = 0);
+/// `53 to 82 %`
+[[nodiscard]] std::string percent(const Interval& interval);
+
+/// A number in a table with so many decimals, or kNoValue.
+[[nodiscard]] std::string cell(const Possible<double>& value, int decimals);
+
+/// `1 participant`, `36 participants`.
+[[nodiscard]] std::string counted(std::int64_t n, std::string_view singular,
+                                  std::string_view plural = "");
+
+/// Words joined as in a sentence: `a`, `a and b`, `a, b and c`; `none` for no word.
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
+
+/// `simulated observer` for simulated data, `participant` otherwise; a number brings the plural.
+[[nodiscard]] std::string who(const Tally& tally, std::int64_t n);
+
+/// The number of a level of validity among low, moderate, high, and 3 for any other.
+[[nodiscard]] std::size_t level_number(std::string_view validity);
+
+/// The conditions from low validity to high, otherwise as they are.
+[[nodiscard]] std::vector<const ConditionResult*> by_validity(const Analysis& analysis);
+
+/// `III: Crytek24 | Blizzard24 (moderate)`
+[[nodiscard]] std::string label_of(const ConditionVotes& condition);
+
+}  // namespace obscura::analysis

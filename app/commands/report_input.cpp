@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/report_input.h"
+
+#include <fmt/format.h>
+
+#include "stimuli/embedded.h"
+#include "stimuli/manifest.h"
+#include "stimuli/stimulus.h"
+
+namespace obscura::app {
+namespace {
+
+namespace fs = std::filesystem;
+using analysis::ShownImage;
+
+ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
+    ShownImage result;
+    result.condition = image.condition;
+    result.side = image.side == "a" ? 'A' : 'B';
+    result.scene = image.source;
+    result.camera = image.camera;
+    result.validity = image.validity;
+    result.technique = image.technique;
+    result.variant =
+        renderer::TechniqueChoice{image.technique, image.samples, {}, {}}.variant_name();
+    result.samples = image.samples;
+    result.denoise = image.denoise;
+    result.file = folder / image.file;
+    result.sha256 = image.sha256;
+    return result;
+}
+
+/// As the study asks for it, where no file was made.
+ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulus) {
+    const stimuli::StudyScene& scene = study.scene_of(*stimulus.condition);
+    const renderer::TechniqueChoice& choice = stimulus.choice();
+    ShownImage result;
+    result.condition = stimulus.condition->id;
+    result.side = stimulus.side == 'a' ? 'A' : 'B';
+    result.scene = scene.source;
+    result.camera = scene.camera;
+    result.validity = std::string(to_string(scene.validity));
+    result.technique = choice.technique;
+    result.variant = choice.variant_name();
+    result.samples = choice.samples;
+    result.denoise = choice.denoise;
+    return result;
+}
+
+void add_images(analysis::ReportInput& input, const ReportSources& sources,
+                const std::string& name) {
+    if (name.empty()) {
+        input.images_unknown = "the answers do not name their study";
+        return;
+    }
+    const fs::path folder = sources.data / "stimuli" / name;
+    const fs::path manifest = folder / "manifest.json";
+    if (fs::exists(manifest)) {
+        for (const auto& image : stimuli::load_manifest(manifest).images) {
+            input.images.push_back(shown(image, folder));
+        }
+        return;
+    }
+    input.images_unknown =
+        fmt::format("there is no {}; obscura render makes it", manifest.string());
+    if (!sources.study) return;
+    for (const auto& stimulus : stimuli::stimuli_of(*sources.study)) {
+        input.images.push_back(planned(*sources.study, stimulus));
+    }
+}
+
+}  // namespace
+
+void add_sources(analysis::ReportInput& input, const ReportSources& sources) {
+    std::string name = input.analysis.tally.study;
+    if (sources.study) {
+        input.study = {sources.study->title, sources.study->question};
+        name = sources.study->name;
+    }
+    add_images(input, sources, name);
+    const fs::path standard = sources.data / "reports" / "measure" / "measure.csv";
+    if (!sources.measurement.empty()) {
+        input.measurement = analysis::read_measurement(sources.measurement);
+    } else if (fs::exists(standard)) {
+        input.measurement = analysis::read_measurement(standard);
+    } else {
+        input.measurement_unknown = fmt::format("there is no {}", standard.string());
+    }
+}
+
+std::optional<stimuli::Study> builtin_study(const std::string& name) {
+    const std::string_view text = stimuli::embedded("studies/" + name + ".toml");
+    if (name.empty() || text.data() == nullptr) return std::nullopt;
+    return stimuli::parse_study(text, name);
+}
+
+}  // namespace obscura::app
