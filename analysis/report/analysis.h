@@ -157,7 +157,7 @@ struct Attention {
 };
 
 /// Response times in s, of participants: each gives one, the median of his own.
-struct TimeSummary {
+struct ResponseTimeSummary {
     Quartiles seconds;
     /// 95 % of the median, from order statistics: no assumption on the times but that participants
     /// are independent.
@@ -165,8 +165,8 @@ struct TimeSummary {
 };
 
 struct ResponseTimes {
-    TimeSummary overall;
-    std::vector<Possible<TimeSummary>> by_condition;  ///< as Analysis::conditions
+    ResponseTimeSummary overall;
+    std::vector<Possible<ResponseTimeSummary>> by_condition;  ///< as Analysis::conditions
 };
 
 /// Answers of a participant below which his times show no trend.

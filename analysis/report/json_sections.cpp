@@ -49,7 +49,7 @@ Json participant_json(const ParticipantResult& who) {
     return object;
 }
 
-Json times_json(const TimeSummary& times) {
+Json times_json(const ResponseTimeSummary& times) {
     Json object;
     object["n_participants"] = times.seconds.n;
     object["first_quartile_s"] = times.seconds.first;
@@ -115,7 +115,7 @@ void put_response_times(Json& report, const Analysis& analysis) {
     object["overall"] = times_json(times->overall);
     object["conditions"] = Json::array();
     for (std::size_t i = 0; i < times->by_condition.size(); ++i) {
-        const Possible<TimeSummary>& own = times->by_condition[i];
+        const Possible<ResponseTimeSummary>& own = times->by_condition[i];
         Json entry;
         entry["id"] = analysis.conditions[i].condition.id;
         if (own.has_value()) {

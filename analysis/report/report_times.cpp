@@ -121,7 +121,7 @@ void add_response_times(ReportDraft& draft) {
                  "Third quartile (s)", "95 % interval of the median (s)"},
                 {}};
     for (std::size_t i = 0; i < times.by_condition.size(); ++i) {
-        const Possible<TimeSummary>& summary = times.by_condition[i];
+        const Possible<ResponseTimeSummary>& summary = times.by_condition[i];
         if (!summary.has_value()) continue;
         add_row(plot, table, analysis.conditions[i].condition.id, 0, summary->seconds,
                 interval_cell(summary->median_interval));

@@ -9,10 +9,10 @@
 namespace obscura::analysis {
 namespace {
 
-Possible<TimeSummary> summary_of(std::vector<double>& times_s) {
+Possible<ResponseTimeSummary> summary_of(std::vector<double>& times_s) {
     const Possible<Quartiles> parts = quartiles(times_s);
-    if (!parts.has_value()) return Possible<TimeSummary>::none("no response times");
-    return TimeSummary{*parts, median_interval(times_s, kConfidence)};
+    if (!parts.has_value()) return Possible<ResponseTimeSummary>::none("no response times");
+    return ResponseTimeSummary{*parts, median_interval(times_s, kConfidence)};
 }
 
 /// One time for each participant: the median of his own.
@@ -106,7 +106,7 @@ Possible<ResponseTimes> response_times(const Tally& tally, const VotesByParticip
         }
         if (!own.empty()) medians.push_back(quartiles(own)->median);
     }
-    const Possible<TimeSummary> overall = summary_of(medians);
+    const Possible<ResponseTimeSummary> overall = summary_of(medians);
     if (!overall.has_value()) {
         return Possible<ResponseTimes>::none("the response times are not known");
     }

@@ -35,7 +35,7 @@ std::string attention_line(const char* what, const Successes& trials,
         kPercent * shares->median, kPercent * shares->first, kPercent * shares->third);
 }
 
-TextRow times_row(const std::string& name, const Possible<TimeSummary>& times) {
+TextRow times_row(const std::string& name, const Possible<ResponseTimeSummary>& times) {
     if (!times.has_value()) return {name, "0", kNoValue, kNoValue, kNoValue, kNoValue};
     const Possible<Bounds>& interval = times->median_interval;
     return {name,
