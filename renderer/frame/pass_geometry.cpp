@@ -35,7 +35,8 @@ void Renderer::run_geometry(Job& job) {
     glDepthFunc(GL_LESS);
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
     shader.use();
-    shader.set("u_view", job.camera.view_from_world);
+    shader.set("u_view", glm::mat3(job.camera.view_from_world));
+    shader.set("u_eye_m", job.camera.eye_m);
     shader.set("u_projection", job.camera.clip_from_view);
     glBindVertexArray(job.scene.vertex_array());
     for (const GpuScene::Draw& draw : job.scene.draws()) {

@@ -36,7 +36,7 @@ double mean_halfway(const Shot& shot, const Camera& camera) {
                 2.0F * (static_cast<float>(x) + 0.5F) / static_cast<float>(shot.width) - 1.0F;
             const float at_m = (across * matrices.ray_scale.x + matrices.ray_offset.x) * kDistance;
             const bool on_wall = std::abs(shot.depth_m[shot.at(x, y)] - kDistance) < 0.01F;
-            if (!on_wall || std::abs(at_m) > 0.02F + 0.5F * matrices.ray_scale.x * kDistance /
+            if (!on_wall || std::abs(at_m) > 0.02F + 1.01F * matrices.ray_scale.x * kDistance /
                                                          static_cast<float>(shot.width)) {
                 continue;
             }
