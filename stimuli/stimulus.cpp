@@ -83,7 +83,15 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(loaded_.scene, lighting), stimulus.choice(),
                              study_.width, study_.height);
-    return renderer_.render(*loaded_.gpu, lighting, *camera, stimulus.choice(), plan);
+    const auto traced = [this](const renderer::Camera& view, int width, int height,
+                               const renderer::TechniqueChoice& choice) {
+        if (!loaded_.reference) {
+            loaded_.reference = std::make_unique<renderer::ReferenceScene>(loaded_.scene);
+        }
+        return loaded_.reference->trace(view, width, height, renderer::reference_options(choice))
+            .accessibility;
+    };
+    return renderer_.render(*loaded_.gpu, lighting, *camera, stimulus.choice(), plan, traced);
 }
 
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,

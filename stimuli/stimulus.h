@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/reference.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
@@ -53,6 +54,7 @@ class StimulusRenderer {
         std::string source;
         renderer::Scene scene;
         std::unique_ptr<renderer::GpuScene> gpu;
+        std::unique_ptr<renderer::ReferenceScene> reference;  ///< once an image needs it
     };
     void load(const std::string& source);
     [[nodiscard]] const BuiltinScene& builtin(const std::string& source) const;

@@ -19,7 +19,6 @@ using renderer::Parameter;
 using renderer::Technique;
 using renderer::TechniqueChoice;
 
-constexpr const char* kTruth = "reference";
 const std::vector<int> kSamples{8, 16, 24, 32, 64};
 const std::vector<int> kQuickSamples{8, 24, 64};
 
@@ -218,16 +217,21 @@ std::vector<std::string> measured_techniques(const MeasureRequest& request) {
     if (!request.techniques.empty()) return request.techniques;
     std::vector<std::string> names;
     for (const Technique& technique : renderer::techniques()) {
-        if (technique.name != kTruth) names.push_back(technique.name);
+        if (!technique.ray_traced) names.push_back(technique.name);
     }
     return names;
 }
 
 void check_request(const MeasureRequest& request) {
     for (const std::string& name : request.techniques) {
-        if (renderer::find_technique(name) == nullptr) {
+        const Technique* technique = renderer::find_technique(name);
+        if (technique == nullptr) {
             throw base::bad_input("--techniques: \"{}\" is unknown, allowed are {}", name,
                                   names_of(renderer::techniques()));
+        }
+        if (technique->ray_traced) {
+            throw base::bad_input("--techniques: {} is the truth that the others are held against",
+                                  name);
         }
     }
     for (const std::string& name : request.filters) {

@@ -166,10 +166,11 @@ FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int
     }
     const Technique& technique = *find_technique(choice.technique);
     const Denoise& denoise = *find_denoise(choice.denoise);
-    const bool accessibility = !technique.shader.empty();
+    const bool accessibility = technique.makes_accessibility();
     const bool denoised = accessibility && denoise.passes > 0;
     const bool lit = needs.environment || needs.lights > 0;
-    const bool depth = (accessibility && technique.reads_depth) || needs.lights > 0;
+    const bool depth = (accessibility && technique.reads_depth) ||
+                       (denoised && denoise.reads_depth) || needs.lights > 0;
     const bool normal = (accessibility && technique.reads_normal) || lit;
 
     Planner planner(needs, choice.depth_format, width, height);
@@ -188,7 +189,9 @@ FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int
         planner.leave_out("shadow", "the scene has no directional light");
     }
     if (accessibility) {
-        std::vector<Target> reads{Target::kDepth};
+        std::vector<Target> reads;
+        if (technique.ray_traced) reads.push_back(Target::kVisibility);
+        if (technique.reads_depth) reads.push_back(Target::kDepth);
         if (technique.reads_normal) reads.push_back(Target::kNormal);
         planner.pass(Pass::kAccessibility, reads, {Target::kAccessibility});
     } else {

@@ -17,13 +17,12 @@ namespace {
 
 constexpr int kRays = 64;
 
-/// All that compute a buffer; the reference always, whether or not it can be chosen in a study.
+/// All that compute a buffer.
 std::vector<std::string> all_techniques() {
     std::vector<std::string> names;
     for (const Technique& technique : techniques()) {
-        if (!technique.shader.empty()) names.push_back(technique.name);
+        if (technique.makes_accessibility()) names.push_back(technique.name);
     }
-    names.emplace_back(kReference);
     return names;
 }
 
@@ -88,10 +87,6 @@ TechniqueChoice Bench::settings(const std::string& technique, double radius) {
     TechniqueChoice choice;
     choice.technique = technique;
     const Technique* found = find_technique(technique);
-    if (found == nullptr) {  // the reference, where no study may choose it
-        choice.parameters["radius_m"] = radius;
-        return choice;
-    }
     choice.samples = found->samples.standard;
     const std::pair<const char*, double> lengths[] = {{"radius_m", radius},
                                                       {"full_threshold_m", radius / 25.0},

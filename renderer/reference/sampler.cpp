@@ -9,8 +9,7 @@
 namespace obscura::renderer {
 namespace {
 
-/// Enough parts for a standard error that can be trusted, few enough that each keeps the quick
-/// convergence of its sequence: at least four rays each.
+/// Enough for a standard error that can be trusted, few enough that it is not far too high.
 constexpr int kMostParts = 8;
 
 int parts_for(int rays) {
@@ -52,7 +51,7 @@ std::uint32_t sobol_second(std::uint32_t index) {
     return value;
 }
 
-/// One part's directions. Free of branches, so that compilers do several at a time.
+/// Free of branches, so that compilers do several at a time.
 void fill(const std::uint32_t* sobol, int count, std::uint32_t seed_a, std::uint32_t seed_b,
           float* x, float* y, float* z) {
     constexpr float kQuarterPi = std::numbers::pi_v<float> / 4.0F;
@@ -87,18 +86,15 @@ HemisphereSampler::HemisphereSampler(int rays) : rays_(rays) {
     for (int part = 0; part <= parts; ++part) {
         first_.push_back(part * each + std::min(part, longer));
     }
-    for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(each); ++i) {
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(rays); ++i) {
         sobol_.push_back(reversed_bits(sobol_second(i)));
     }
 }
 
 void HemisphereSampler::directions(std::uint64_t scramble, float* x, float* y, float* z) const {
-    for (int part = 0; part < parts(); ++part) {
-        const std::uint64_t seeds = mixed_bits(scramble + static_cast<std::uint64_t>(part));
-        const int first = first_of(part);
-        fill(sobol_.data(), first_of(part + 1) - first, static_cast<std::uint32_t>(seeds),
-             static_cast<std::uint32_t>(seeds >> 32), x + first, y + first, z + first);
-    }
+    const std::uint64_t seeds = mixed_bits(scramble);
+    fill(sobol_.data(), rays_, static_cast<std::uint32_t>(seeds),
+         static_cast<std::uint32_t>(seeds >> 32), x, y, z);
 }
 
 }  // namespace obscura::renderer
