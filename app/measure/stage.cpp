@@ -84,8 +84,7 @@ const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, 
         .first->second;
 }
 
-std::vector<std::uint8_t> Stage::true_image(const View& view,
-                                            const renderer::ReferenceImage& truth,
+std::vector<std::uint8_t> Stage::true_image(const View& view, const renderer::ReferenceImage& truth,
                                             double radius_m) {
     load(view);
     renderer::TechniqueChoice choice;

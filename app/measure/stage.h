@@ -21,9 +21,8 @@ class Stage {
     explicit Stage(const MeasureRequest& request) : request_(request) {}
 
     /// Every buffer of one image. Throws bad input for a scene without triangles.
-    [[nodiscard]] renderer::Frame render(const View& view,
-                                         const renderer::TechniqueChoice& choice, int width,
-                                         int height);
+    [[nodiscard]] renderer::Frame render(const View& view, const renderer::TechniqueChoice& choice,
+                                         int width, int height);
 
     /// The same without environment and lights, for what looks at accessibility alone.
     [[nodiscard]] renderer::Frame render_plainly(const View& view,

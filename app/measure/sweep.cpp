@@ -22,11 +22,10 @@ std::string shown_where(const View& view, const Setting& setting) {
     std::string where;
     for (const ShownSetting& shown : view.shown) {
         // A fitted setting keeps the place of the one that it was made of.
-        const bool same = setting.fitted
-                              ? shown.choice.technique == setting.choice.technique &&
-                                    shown.choice.samples == setting.choice.samples &&
-                                    shown.choice.denoise == setting.choice.denoise
-                              : stimuli::same_variant(shown.choice, setting.choice);
+        const bool same = setting.fitted ? shown.choice.technique == setting.choice.technique &&
+                                               shown.choice.samples == setting.choice.samples &&
+                                               shown.choice.denoise == setting.choice.denoise
+                                         : stimuli::same_variant(shown.choice, setting.choice);
         if (same && setting.choice.depth_format == "r32f") {
             where += (where.empty() ? "" : ", ") + shown.where;
         }
@@ -92,8 +91,8 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
     }
     row.truth_stderr = rms(truth.standard_error, surfaces);
-    row.image = analysis::final_image_error(frame.read_display(), true_image, truth.width,
-                                            truth.height);
+    row.image =
+        analysis::final_image_error(frame.read_display(), true_image, truth.width, truth.height);
     analysis::ErrorMap map;
     map.name = fmt::format("error-{}-{}-{}{}", row.scene, row.camera, row.variant,
                            row.fitted ? "-fitted" : "");

@@ -27,8 +27,9 @@ TimerCheck judge_timers(double clock_ms, double query_ms, bool software) {
     } else if (!agree) {
         why = "they disagree by more than 10 %, so glFinish and the clock are used";
     } else if (!check.use_queries) {
-        why = "no pass took 20 ms, so they could not be held against each other, and glFinish and "
-              "the clock are used";
+        why =
+            "no pass took 20 ms, so they could not be held against each other, and glFinish and "
+            "the clock are used";
     }
     check.sentence = fmt::format(
         "Check of the timers: a pass of {:.2f} ms by the clock takes {:.2f} ms by the driver's "

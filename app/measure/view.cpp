@@ -87,12 +87,12 @@ void check_samples(const MeasureRequest& request) {
         for (const std::string& name : measured_techniques(request)) {
             const Technique& technique = *renderer::find_technique(name);
             if (technique.samples.high == 0 || allows(technique, samples)) continue;
-            throw base::bad_input("--samples: {} is not allowed for {}, which takes {} to {}{}",
-                                  samples, name, technique.samples.low, technique.samples.high,
-                                  technique.samples.multiple_of > 1
-                                      ? fmt::format(" in multiples of {}",
-                                                    technique.samples.multiple_of)
-                                      : "");
+            throw base::bad_input(
+                "--samples: {} is not allowed for {}, which takes {} to {}{}", samples, name,
+                technique.samples.low, technique.samples.high,
+                technique.samples.multiple_of > 1
+                    ? fmt::format(" in multiples of {}", technique.samples.multiple_of)
+                    : "");
         }
     }
 }
@@ -249,8 +249,9 @@ void check_request(const MeasureRequest& request) {
         throw base::bad_input("--write-study: there are fitted values only with --fit");
     }
     if (!request.write_study.empty() && !request.scenes.empty()) {
-        throw base::bad_input("--write-study: it writes a copy of the study, and --scene measures "
-                              "scenes without one");
+        throw base::bad_input(
+            "--write-study: it writes a copy of the study, and --scene measures "
+            "scenes without one");
     }
 }
 

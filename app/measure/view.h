@@ -29,8 +29,7 @@ struct View {
 
 /// The views that the request asks for: those of the study, or every camera of its scenes. Throws
 /// bad input naming the option for an unknown scene.
-[[nodiscard]] std::vector<View> views_of(const MeasureRequest& request,
-                                         const stimuli::Study& study,
+[[nodiscard]] std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
                                          const std::vector<stimuli::BuiltinScene>& catalogue);
 
 /// A technique as published for this view: as the study shows it here; else with the values that
