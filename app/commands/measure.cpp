@@ -97,7 +97,8 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
            "--runs", request.runs,
            fmt::format("Timed runs of each setting, after {} that are thrown away", kDiscardedRuns))
         ->capture_default_str();
-    app.add_flag("--quick", request.quick, "256x144, 64 rays, 3 runs, fewer settings");
+    app.add_flag("--quick", request.quick,
+                 "256x144, 64 rays, 3 runs, one filter, 8, 24 and 64 samples");
     app.add_flag(
         "--fit", request.fit,
         "Also with the parameters that bring each technique nearest to the truth, found on "

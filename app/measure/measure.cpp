@@ -100,6 +100,8 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
         "Errors are of linear accessibility (1 = open) before any display curve, over the pixels "
         "that show a surface; empty pixels are 1 in both and do not count. The interior error "
         "leaves out a tenth of the image at each side.",
+        "Where a camera comes with several levels of light, the first has every setting and the "
+        "others what the study shows: light changes neither accessibility nor its time.",
         "Fetches a pixel are the most texture reads that accessibility pass and filter may make; "
         "raymarch stops at its first occluder.",
         "Final images are compared as sRGB code values / 255 (OpenImageIO's compare); the share "
@@ -154,14 +156,37 @@ void add_maps(std::vector<analysis::ErrorMap>& maps, std::vector<analysis::Error
     }
 }
 
+/// Of a view whose camera was measured in other light before, only what the study shows and how
+/// each technique is published: light changes neither accessibility nor its time.
+std::vector<Setting> only_shown(const View& view, const stimuli::Study& study,
+                                const std::vector<Setting>& all) {
+    std::vector<Setting> shown;
+    for (const Setting& setting : all) {
+        const TechniqueChoice published = published_choice(view, study, setting.choice.technique);
+        const auto same = [&](const TechniqueChoice& choice) {
+            return choice.technique == setting.choice.technique &&
+                   choice.samples == setting.choice.samples &&
+                   choice.denoise == setting.choice.denoise;
+        };
+        bool wanted = same(published);
+        for (const ShownSetting& by_study : view.shown) wanted |= same(by_study.choice);
+        if (wanted && setting.choice.depth_format == "r32f") shown.push_back(setting);
+    }
+    return shown;
+}
+
 void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study& study,
                const std::vector<View>& views, Measured& measured, const TimerCheck& timers) {
     std::vector<FittedChoice> fitted;
     if (request.fit) fitted = fit_all(stage, request, study, views);
     std::vector<std::vector<Setting>> settings;
     std::size_t count = 0;
-    for (const View& view : views) {
-        settings.push_back(all_settings(request, study, view, fitted));
+    for (auto view = views.begin(); view != views.end(); ++view) {
+        settings.push_back(all_settings(request, study, *view, fitted));
+        const bool seen = std::any_of(views.begin(), view, [&](const View& before) {
+            return before.scene == view->scene && before.camera == view->camera;
+        });
+        if (seen) settings.back() = only_shown(*view, study, settings.back());
         count += settings.back().size();
     }
     base::Progress progress(

@@ -99,7 +99,7 @@ void check_samples(const MeasureRequest& request) {
 
 std::vector<std::string> filters_of(const MeasureRequest& request) {
     if (!request.filters.empty()) return request.filters;
-    if (request.quick) return {"none", kPlottedFilter};
+    if (request.quick) return {kPlottedFilter};
     std::vector<std::string> filters;
     for (const renderer::Denoise& filter : renderer::denoise_filters()) {
         filters.push_back(filter.name);

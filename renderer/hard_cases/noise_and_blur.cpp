@@ -37,13 +37,13 @@ double tile_pattern(const Shot& shot) {
     return largest;
 }
 
-/// A near plate over the left half, more than R before a wall that has a dark corner of its own
-/// along the plate's edge.
+/// A near plate over the right half, more than R before a wall that a box darkens just left of the
+/// plate's edge.
 Scene plate_before_dark_wall() {
     Scene scene = shapes::empty();
     shapes::add_quad(scene, {-40.0F, -40.0F, -5.0F}, {80.0F, 0.0F, 0.0F}, {0.0F, 80.0F, 0.0F});
-    shapes::add_quad(scene, {-40.0F, -40.0F, -3.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 80.0F, 0.0F});
-    shapes::add_box(scene, {0.02F, -40.0F, -5.0F}, {0.07F, 40.0F, -4.85F});
+    shapes::add_quad(scene, {0.0F, -40.0F, -3.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 80.0F, 0.0F});
+    shapes::add_box(scene, {-1.2F, -40.0F, -5.0F}, {-0.2F, 40.0F, -4.8F});
     return scene;
 }
 
@@ -51,9 +51,9 @@ Scene plate_before_dark_wall() {
 double smallest_on_plate(const Shot& shot) {
     double smallest = 1.0;
     for (int y = shot.height / 8; y < shot.height - shot.height / 8; ++y) {
-        for (int x = shot.width / 8; x + 1 < shot.width; ++x) {
+        for (int x = 1; x < shot.width - shot.width / 8; ++x) {
             const bool plate = shot.depth_m[shot.at(x, y)] < 4.0F;
-            const bool next = shot.depth_m[shot.at(x + 1, y)] < 4.0F;
+            const bool next = shot.depth_m[shot.at(x - 1, y)] < 4.0F;
             if (plate && next) {
                 smallest = std::min(smallest, static_cast<double>(shot.denoised[shot.at(x, y)]));
             }

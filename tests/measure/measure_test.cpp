@@ -8,6 +8,7 @@
 #include "app/measure/fit_settings.h"
 #include "app/measure/measure.h"
 #include "app/measure/timing.h"
+#include "renderer/base/error.h"
 #include "stimuli/study_writer.h"
 #include "tests/temporary_folder.h"
 #include "tests/test_scenes.h"
@@ -156,7 +157,9 @@ TEST(Fits, VaryWhatTheDescriptorLetsThemAndNeverSamples) {
         names.push_back(unknown.name);
         EXPECT_GE(unknown.start, unknown.low);
         EXPECT_LE(unknown.start, unknown.high);
-        if (unknown.name == "radius_m") EXPECT_EQ(unknown.high, 1000.0) << "the descriptor's end";
+        if (unknown.name == "radius_m") {
+            EXPECT_EQ(unknown.high, 1000.0) << "the descriptor's end";
+        }
     }
     EXPECT_THAT(names,
                 testing::ElementsAre("radius_m", "full_threshold_m", "no_threshold_m", "power"));
