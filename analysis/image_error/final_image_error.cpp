@@ -58,7 +58,7 @@ FinalImageError final_image_error(std::span<const std::uint8_t> image,
     const OIIO::ImageBuf b = buffer_of(truth, width, height, identity);
     const OIIO::ImageBufAlgo::CompareResults compared =
         OIIO::ImageBufAlgo::compare(a, b, 0.0F, 0.0F);
-    if (compared.error) throw base::failure("image error: {}", a.geterror());
+    if (a.has_error()) throw base::failure("image error: {}", a.geterror());
     error.rmse = compared.rms_error;
     error.max = compared.maxerror;
 

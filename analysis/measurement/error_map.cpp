@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,15 +32,16 @@ Plot error_map(const ErrorMap& map) {
     Plot plot;
     plot.name = map.name;
     plot.title = map.title;
-    plot.width_px = map.width + 180;  // the image at its own size beside the bar
-    plot.height_px = map.height + 90;
+    // The image at its own size beside the bar, and room for both texts.
+    plot.width_px = std::max(map.width + 180, 560);
+    plot.height_px = std::max(map.height + 90, 340);
     const std::string file = map.name + ".f32";
     plot.data.push_back({file, std::move(bytes)});
     plot.script = fmt::format(
         "# {0}: {1}x{2} 32-bit floats, upper row first\n"
         "set palette defined (-1 \"#0072B2\", 0 \"#FFFFFF\", 1 \"#D55E00\")\n"
         "set cbrange [{3}:{4}]\n"
-        "set cblabel \"measured - truth (accessibility; below 0: too dark)\"\n"
+        "set cblabel \"measured - truth, accessibility\"\n"
         "set xrange [-0.5:{5}]\nset yrange [-0.5:{6}]\nset size ratio -1\nunset xtics\nunset "
         "ytics\n"
         "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#000000\"\n"

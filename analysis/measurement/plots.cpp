@@ -115,7 +115,8 @@ class ErrorOverTime {
             "set logscale xy\nset xlabel \"median time of accessibility and filter (ms)\"\n"
             "set ylabel \"RMSE against the ray-traced truth (accessibility, 0 to 1)\"\n"
             "set key outside right top\nset grid xtics ytics lc rgb \"#dddddd\"\n"
-            "set format y \"%g\"\nset format x \"%g\"\nset offsets graph 0.05, 0.1, 0.1, 0.05\n"
+            "set format y \"%g\"\nset format x \"%g\"\nset offsets graph 0.05, graph 0.1, graph "
+            "0.1, graph 0.05\n"
             "plot {}\n",
             fmt::join(curves_, ", \\\n     "));
         plot.data.push_back({file_, blocks_.take()});
@@ -150,7 +151,7 @@ class ErrorOverTime {
         for (const CostAndError& choice : pareto_front(all)) {
             lines.push_back(fmt::format("{}\t{}", shortest(choice.cost), shortest(choice.error)));
         }
-        add_curve("front", lines, "using 1:2 with fsteps lc rgb \"#000000\" lw 1",
+        add_curve("front", lines, "using 1:2 with steps lc rgb \"#000000\" lw 1",
                   "Pareto front, all filters");
     }
 

@@ -15,6 +15,7 @@ Command demo_command();
 Command run_command();
 Command check_command();
 Command export_command();
+Command measure_command();
 Command plan_command();
 Command power_command();
 Command render_command();

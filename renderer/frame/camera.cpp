@@ -27,6 +27,7 @@ CameraMatrices matrices_of(const Camera& camera, int width, int height) {
             where);
     }
     CameraMatrices matrices;
+    matrices.eye_m = camera.position_m;
     matrices.view_from_world = glm::lookAt(camera.position_m, camera.target_m, camera.up);
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     matrices.clip_from_view =

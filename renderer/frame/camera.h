@@ -11,6 +11,7 @@ namespace obscura::renderer {
 /// A camera's matrices for an image of a certain shape, in OpenGL's clip conventions.
 struct CameraMatrices {
     glm::mat4 view_from_world{1.0F};
+    glm::vec3 eye_m{0.0F};  ///< the camera in the world
     glm::mat4 clip_from_view{1.0F};
     glm::vec2 ray_scale{1.0F};   ///< view x, y per metre of depth at the right and upper border
     glm::vec2 ray_offset{0.0F};  ///< the same at the middle of the image

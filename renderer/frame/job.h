@@ -26,6 +26,12 @@ struct Renderer::Job {
     [[nodiscard]] glm::mat3 world_from_view() const {
         return glm::transpose(glm::mat3(camera.view_from_world));
     }
+    /// Uniforms of passes/geometry.vert.glsl.
+    void set_vertices(gl::Program& program) const {
+        program.set("u_view", glm::mat3(camera.view_from_world));
+        program.set("u_eye_m", camera.eye_m);
+        program.set("u_projection", camera.clip_from_view);
+    }
     /// Uniforms of passes/view.glsl.
     void set_view(gl::Program& program) const {
         program.set("u_size", glm::vec2(plan.width, plan.height));

@@ -68,8 +68,7 @@ void Renderer::run_occluders(Job& job) {
     gl::Program& shader =
         program("passes/geometry.vert.glsl", "passes/occluders.frag.glsl", defines);
     attach(job, {Target::kOccluderDepth, Target::kOccluderNormal}, Target::kOccluderVisibility);
-    shader.set("u_view", job.camera.view_from_world);
-    shader.set("u_projection", job.camera.clip_from_view);
+    job.set_vertices(shader);
     shader.set("u_occluding_opacity", *job.plan.options.occluding_opacity);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -86,8 +85,7 @@ void Renderer::run_blend(Job& job) {
     if (occluded) defines.emplace_back("ACCESSIBILITY");
     gl::Program& shader = program("passes/geometry.vert.glsl", "passes/blend.frag.glsl", defines);
     attach(job, {Target::kHdr});
-    shader.set("u_view", job.camera.view_from_world);
-    shader.set("u_projection", job.camera.clip_from_view);
+    job.set_vertices(shader);
     set_lighting(job, shader);
     if (!needs.environment) shader.set("u_ambient", job.lighting.ambient);
     if (occluded) {

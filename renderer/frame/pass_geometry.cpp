@@ -77,8 +77,7 @@ void Renderer::run_geometry(Job& job) {
         gl::Program& shader =
             program("passes/geometry.vert.glsl", "passes/geometry.frag.glsl", defines);
         shader.use();
-        shader.set("u_view", job.camera.view_from_world);
-        shader.set("u_projection", job.camera.clip_from_view);
+        job.set_vertices(shader);
         for (const GpuScene::Draw& draw : job.scene.draws()) {
             const Material& material = job.scene.materials()[draw.material];
             if ((material.coverage == Coverage::kCutOut) != cut_out) continue;

@@ -8,7 +8,8 @@ layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_uv;
 layout(location = 4) in vec4 a_color;
 
-uniform mat4 u_view;        // view from world
+uniform mat3 u_view;        // view from world, directions
+uniform vec3 u_eye_m;       // the camera in the world
 uniform mat4 u_projection;  // clip from view
 
 // The two images of a pair may use different variants of this shader; their pixels must agree.
@@ -26,17 +27,17 @@ out vec2 v_uv;
 #endif
 
 void main() {
-    vec4 view_position = u_view * vec4(a_position_m, 1.0);
-    v_view_position = view_position.xyz;
+    // The difference first: far from the origin it is exact where a sum of large products is not.
+    v_view_position = u_view * (a_position_m - u_eye_m);
     v_color = a_color;
 #ifdef NORMAL
-    v_normal = mat3(u_view) * a_normal;
+    v_normal = u_view * a_normal;
 #endif
 #ifdef NORMAL_MAPPING
-    v_tangent = vec4(mat3(u_view) * a_tangent.xyz, a_tangent.w);
+    v_tangent = vec4(u_view * a_tangent.xyz, a_tangent.w);
 #endif
 #ifdef UV
     v_uv = a_uv;
 #endif
-    gl_Position = u_projection * view_position;
+    gl_Position = u_projection * vec4(v_view_position, 1.0);
 }

@@ -82,9 +82,8 @@ std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice) {
                                                    choice.denoise, names_of(denoise_filters()))});
     }
     if (choice.depth_format != "r32f" && choice.depth_format != "r16f") {
-        problems.push_back(
-            {"depth_format",
-             fmt::format("\"{}\" is unknown; allowed are r32f, r16f", choice.depth_format)});
+        problems.push_back({"depth_format", fmt::format("\"{}\" is unknown; allowed are r32f, r16f",
+                                                        choice.depth_format)});
     }
     for (const auto& [name, value] : choice.parameters) {
         const Parameter* parameter = technique->find_parameter(name);

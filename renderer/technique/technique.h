@@ -19,6 +19,7 @@ struct Parameter {
     double high = 1.0;      ///< largest allowed
     double standard = 0.0;  ///< the default, from the technique's source
     bool whole = false;     ///< only whole numbers are allowed
+    bool fit = true;        ///< whether a fit to the truth may vary it; false: it only sets units
 };
 
 /// How many samples a technique takes; 0 to 0 for one that takes none.

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <memory>
+
+#include "app/commands/list.h"
+#include "app/measure/measure.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/technique/technique.h"
+
+namespace obscura::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "WxH" as two whole numbers.
+void parse_size(const std::string& text, MeasureRequest& request) {
+    const char* const end = text.data() + text.size();
+    const auto [cross, first] = std::from_chars(text.data(), end, request.width);
+    if (first == std::errc() && cross != end && *cross == 'x') {
+        const auto [rest, second] = std::from_chars(cross + 1, end, request.height);
+        if (second == std::errc() && rest == end) return;
+    }
+    throw base::bad_input("--size: \"{}\" is not WIDTHxHEIGHT, such as 640x360", text);
+}
+
+struct Options {
+    MeasureRequest request;
+    std::string size;
+};
+
+base::ExitCode run(Options options, const Globals& globals) {
+    MeasureRequest& request = options.request;
+    request.quiet = globals.quiet;
+    if (!options.size.empty()) parse_size(options.size, request);
+    if (request.out.empty()) request.out = globals.data / "reports" / "measure";
+    request.cache = globals.data / "cache" / "reference";
+    if (!request.study.empty() && !request.scenes.empty()) {
+        throw base::bad_input("--scene measures scenes without a study: leave out {}",
+                              request.study);
+    }
+    base::require_writable_folder(request.out, "--out");
+    if (!request.write_study.empty()) {
+        const fs::path parent = request.write_study.parent_path();
+        base::require_writable_folder(parent.empty() ? fs::path(".") : parent, "--write-study");
+    }
+    const Measured measured = measure(request);
+    fmt::print("{}", analysis::report_text(measured.report));
+    const std::vector<fs::path> written = analysis::write_report(measured.report, request.out);
+    if (!measured.fitted_study.empty()) {
+        base::write_file_atomically(request.write_study, measured.fitted_study);
+        spdlog::info("{}: the study with fitted values", request.write_study.string());
+    }
+    spdlog::info("{}: {} files; look at {}", request.out.string(), written.size(),
+                 written.back().string());
+    const std::size_t unexplained = analysis::count_of(measured.report.hard_cases).no;
+    if (unexplained > 0) {
+        throw base::check_failed("{} hard case{} without a reason; they are in {}", unexplained,
+                                 unexplained == 1 ? " fails" : "s fail",
+                                 (request.out / "hard-cases.csv").string());
+    }
+    return base::ExitCode::kDone;
+}
+
+template <typename List>
+std::string names_of(const List& list) {
+    std::vector<std::string> names;
+    for (const auto& item : list) names.push_back(item.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
+    const auto options = std::make_shared<Options>();
+    MeasureRequest& request = options->request;
+    app.add_option("STUDY", request.study,
+                   "Study file or built-in study whose views are measured (default: jakobsen2010)");
+    app.add_option("--scene", request.scenes,
+                   "Built-in scenes in place of a study, each by all of its cameras");
+    app.add_option("--techniques", request.techniques,
+                   "Of " + names_of(renderer::techniques()) + " (default: all but the reference)")
+        ->delimiter(',');
+    app.add_option("--samples", request.samples,
+                   "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
+        ->delimiter(',');
+    app.add_option("--filters", request.filters,
+                   "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
+        ->delimiter(',');
+    app.add_option("--size", options->size,
+                   "WIDTHxHEIGHT of the images, pixels (default: 640x360)");
+    app.add_option("--rays", request.rays, "Rays a pixel of the ray-traced truth")
+        ->capture_default_str();
+    app.add_option(
+           "--runs", request.runs,
+           fmt::format("Timed runs of each setting, after {} that are thrown away", kDiscardedRuns))
+        ->capture_default_str();
+    app.add_flag("--quick", request.quick,
+                 "256x144, 64 rays, 3 runs, one filter, 8, 24 and 64 samples");
+    app.add_flag(
+        "--fit", request.fit,
+        "Also with the parameters that bring each technique nearest to the truth, found on "
+        "other cameras");
+    app.add_option("--write-study", request.write_study,
+                   "With --fit: write a copy of the study with the fitted values");
+    app.add_flag("--growth", request.growth,
+                 "Instead: how the time of each technique grows with pixels and samples");
+    app.add_flag("--hard-cases", request.hard_cases,
+                 "Instead: numerical stability on hard cases (exit code 3 where one fails without "
+                 "a reason)");
+    app.add_option("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
+    return [options, &globals] { return run(*options, globals); };
+}
+
+}  // namespace
+
+Command measure_command() {
+    return {"measure", "Measures speed against error, and numerical stability", attach};
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/fit/minimise.h"
+#include "analysis/measurement/report.h"
+#include "app/measure/stage.h"
+
+namespace obscura::app {
+
+/// A technique with values that were fitted on one scene.
+struct FittedChoice {
+    renderer::TechniqueChoice choice;  ///< samples and filter it was fitted with
+    analysis::Fitted record;
+};
+
+/// The size and effort of a fit.
+struct FitEffort {
+    int width = 160;
+    int height = 90;
+    int rays = 128;
+    analysis::MinimiseOptions search{.starts = 3, .evaluations = 50, .tolerance = 1e-3, .seed = 1};
+};
+[[nodiscard]] FitEffort fit_effort(const MeasureRequest& request);
+
+/// What a fit may vary of a choice: every parameter that its descriptor lets it, a factor of 20
+/// down and up from the published value, within the descriptor's range.
+[[nodiscard]] std::vector<analysis::Unknown> unknowns_of(const renderer::TechniqueChoice& choice);
+
+/// Fits `published` on the scene's cameras that are in no view of `views` (on those of the views
+/// where there is no other) to the truth within the published radius: the smallest root mean square
+/// of the cameras' RMSE. `step` is called after each trial of values.
+[[nodiscard]] FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort,
+                                        const std::vector<View>& views, const View& view,
+                                        const renderer::TechniqueChoice& published,
+                                        const std::function<void(const std::string&)>& step);
+
+}  // namespace obscura::app

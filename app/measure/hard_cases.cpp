@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/measure/hard_cases.h"
+
+#include "renderer/base/progress.h"
+#include "renderer/hard_cases/hard_case.h"
+
+namespace obscura::app {
+namespace {
+
+analysis::Holds holds(renderer::Outcome outcome) {
+    switch (outcome) {
+        case renderer::Outcome::kHolds:
+            return analysis::Holds::kYes;
+        case renderer::Outcome::kByNature:
+            return analysis::Holds::kByNature;
+        case renderer::Outcome::kFails:
+            return analysis::Holds::kNo;
+    }
+    return analysis::Holds::kNo;
+}
+
+}  // namespace
+
+std::vector<analysis::HardCaseRow> run_all_hard_cases(const MeasureRequest& request) {
+    renderer::HardCaseOptions options;
+    options.techniques = request.techniques;
+    if (request.quick) options.size_px = 64;
+    base::Progress progress("hard cases", renderer::hard_case_steps(options), request.quiet);
+    options.progress = [&progress](const std::string& what) { progress.step(what); };
+    std::vector<analysis::HardCaseRow> rows;
+    for (const renderer::HardCaseResult& result : renderer::run_hard_cases(options)) {
+        rows.push_back({result.name, result.technique, result.quantity, result.expected,
+                        result.measured, result.tolerance, holds(result.outcome), result.note});
+    }
+    return rows;
+}
+
+}  // namespace obscura::app

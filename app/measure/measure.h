@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/measurement/report.h"
+#include "app/measure/request.h"
+#include "stimuli/scenes/builtin_scene.h"
+
+namespace obscura::app {
+
+/// What a measurement gave: the report, and the study with fitted values where it was asked for.
+struct Measured {
+    analysis::MeasurementReport report;
+    std::string fitted_study;  ///< text of a study file; empty where none was asked for
+};
+
+/// Everything that the request asks for. Makes an OpenGL context of its own. Nothing is written
+/// but truths into the request's cache. Throws bad input for what is wrong with the request, before
+/// any work.
+[[nodiscard]] Measured measure(
+    const MeasureRequest& request,
+    const std::vector<stimuli::BuiltinScene>& catalogue = stimuli::builtin_scenes());
+
+/// A request as `quick` changes it: small images, few rays and runs, where the defaults were left.
+[[nodiscard]] MeasureRequest with_defaults(MeasureRequest request);
+
+}  // namespace obscura::app

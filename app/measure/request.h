@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace obscura::app {
+
+/// What a measurement is asked to do. Empty lists and zeros stand for the defaults.
+struct MeasureRequest {
+    std::string study;                ///< file or built-in name; empty: jakobsen2010
+    std::vector<std::string> scenes;  ///< built-in scenes in place of the study's views
+    std::vector<std::string> techniques;
+    std::vector<int> samples;  ///< of each technique, those that it allows
+    std::vector<std::string> filters;
+    int width = 640;
+    int height = 360;
+    int rays = 256;      ///< of the truth, a pixel
+    int runs = 5;        ///< timed, after kDiscardedRuns
+    bool quick = false;  ///< small images, few rays and settings
+    bool fit = false;
+    bool growth = false;                ///< how cost grows, in place of the sweep
+    bool hard_cases = false;            ///< the hard cases, in place of the sweep
+    std::filesystem::path write_study;  ///< with `fit`: a copy of the study with fitted values
+    std::filesystem::path out;
+    std::filesystem::path cache;  ///< of ray-traced truths
+    bool quiet = false;
+};
+
+/// Runs of each setting whose times are thrown away: the first compiles shaders.
+inline constexpr int kDiscardedRuns = 3;
+
+/// The filter of the plots' lines, of fits and of settings that the study shows without saying one.
+inline constexpr const char* kPlottedFilter = "separable";
+
+}  // namespace obscura::app

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/measure/stage.h"
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/progress.h"
+
+namespace obscura::app {
+
+void Stage::load(const View& view) {
+    if (loaded_ == view.scene) return;
+    loaded_ = nullptr;
+    truths_.clear();
+    rays_.reset();
+    gpu_.reset();
+    scene_ = view.scene->build();
+    if (scene_.triangle_count() == 0) {
+        throw base::bad_input("the scene \"{}\" has no triangle: there is nothing to measure",
+                              view.scene->id);
+    }
+    gpu_ = std::make_unique<renderer::GpuScene>(scene_);
+    rays_ = std::make_unique<renderer::ReferenceScene>(scene_);
+    loaded_ = view.scene;
+}
+
+const renderer::Camera& Stage::camera_of(const View& view) const {
+    const renderer::Camera* camera = scene_.find_camera(view.camera);
+    if (camera == nullptr) {
+        throw base::bad_input("scene \"{}\" has no camera \"{}\"", view.scene->id, view.camera);
+    }
+    return *camera;
+}
+
+const renderer::Lighting& Stage::lighting_of(const View& view) {
+    const auto key = std::pair(view.scene->id, view.validity);
+    if (!lightings_.contains(key)) {
+        lightings_.emplace(key, view.scene->lighting(view.validity));
+    }
+    return lightings_.at(key);
+}
+
+renderer::Frame Stage::render(const View& view, const renderer::TechniqueChoice& choice, int width,
+                              int height) {
+    load(view);
+    const renderer::Lighting& lighting = lighting_of(view);
+    return renderer_.render(
+        *gpu_, lighting, camera_of(view), choice,
+        renderer::plan_frame(renderer::needs_of(scene_, lighting), choice, width, height));
+}
+
+renderer::Frame Stage::render_plainly(const View& view, const renderer::TechniqueChoice& choice,
+                                      int width, int height) {
+    load(view);
+    renderer::Lighting lighting;
+    lighting.normal_mapping = lighting_of(view).normal_mapping;
+    renderer::SceneNeeds needs = renderer::needs_of(scene_, lighting);
+    return renderer_.render(*gpu_, lighting, camera_of(view), choice,
+                            renderer::plan_frame(needs, choice, width, height));
+}
+
+const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, int width,
+                                             int height, int rays) {
+    load(view);
+    const std::string key =
+        fmt::format("{} {} {}x{} {}", view.camera, radius_m, width, height, rays);
+    const auto found = truths_.find(key);
+    if (found != truths_.end()) return found->second;
+    renderer::ReferenceOptions options;
+    options.radius_m = radius_m;
+    options.rays = rays;
+    constexpr std::size_t kSteps = 50;
+    base::Progress progress(fmt::format("truth of {}, {}", view.scene->id, view.camera), kSteps,
+                            request_.quiet);
+    std::size_t said = 0;
+    const auto say = [&](double share) {
+        for (; said < static_cast<std::size_t>(share * kSteps); ++said) progress.step("rays");
+        return true;
+    };
+    return truths_
+        .emplace(key, renderer::cached_reference(request_.cache, *rays_, camera_of(view), width,
+                                                 height, options, say))
+        .first->second;
+}
+
+std::vector<std::uint8_t> Stage::true_image(const View& view, const renderer::ReferenceImage& truth,
+                                            double radius_m) {
+    load(view);
+    renderer::TechniqueChoice choice;
+    choice.technique = "reference";
+    choice.samples = 1;
+    choice.parameters["radius_m"] = radius_m;
+    const renderer::Lighting& lighting = lighting_of(view);
+    const renderer::FramePlan plan = renderer::plan_frame(renderer::needs_of(scene_, lighting),
+                                                          choice, truth.width, truth.height);
+    return renderer_
+        .render(*gpu_, lighting, camera_of(view), choice, plan,
+                [&truth](const renderer::Camera&, int, int, const renderer::TechniqueChoice&) {
+                    return truth.accessibility;
+                })
+        .read_display();
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/measure/view.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/reference/reference.h"
+
+namespace obscura::app {
+
+/// Where settings are rendered and truths are traced. Needs a current OpenGL context; keeps one
+/// scene at a time, so ask for views of one scene together.
+class Stage {
+  public:
+    explicit Stage(const MeasureRequest& request) : request_(request) {}
+
+    /// Every buffer of one image. Throws bad input for a scene without triangles.
+    [[nodiscard]] renderer::Frame render(const View& view, const renderer::TechniqueChoice& choice,
+                                         int width, int height);
+
+    /// The same without environment and lights, for what looks at accessibility alone.
+    [[nodiscard]] renderer::Frame render_plainly(const View& view,
+                                                 const renderer::TechniqueChoice& choice, int width,
+                                                 int height);
+
+    /// The truth within R, from the cache or traced.
+    [[nodiscard]] const renderer::ReferenceImage& truth(const View& view, double radius_m,
+                                                        int width, int height, int rays);
+
+    /// The view's image with the truth in place of a technique's accessibility.
+    [[nodiscard]] std::vector<std::uint8_t> true_image(const View& view,
+                                                       const renderer::ReferenceImage& truth,
+                                                       double radius_m);
+
+  private:
+    void load(const View& view);
+    [[nodiscard]] const renderer::Camera& camera_of(const View& view) const;
+    const renderer::Lighting& lighting_of(const View& view);
+
+    const MeasureRequest& request_;
+    const stimuli::BuiltinScene* loaded_ = nullptr;
+    renderer::Scene scene_;
+    std::unique_ptr<renderer::GpuScene> gpu_;
+    std::unique_ptr<renderer::ReferenceScene> rays_;
+    std::map<std::pair<std::string, stimuli::Validity>, renderer::Lighting> lightings_;
+    std::map<std::string, renderer::ReferenceImage> truths_;  ///< of the loaded scene
+    renderer::Renderer renderer_;
+};
+
+}  // namespace obscura::app

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/measure/sweep.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "renderer/gl/context.h"
+#include "renderer/passes/shared_constants.h"
+#include "stimuli/variant_reader.h"
+
+namespace obscura::app {
+namespace {
+
+using renderer::Frame;
+using renderer::Target;
+using renderer::TechniqueChoice;
+
+/// Conditions of the study that show just this setting.
+std::string shown_where(const View& view, const Setting& setting) {
+    std::string where;
+    for (const ShownSetting& shown : view.shown) {
+        // A fitted setting keeps the place of the one that it was made of.
+        const bool same = setting.fitted ? shown.choice.technique == setting.choice.technique &&
+                                               shown.choice.samples == setting.choice.samples &&
+                                               shown.choice.denoise == setting.choice.denoise
+                                         : stimuli::same_variant(shown.choice, setting.choice);
+        if (same && setting.choice.depth_format == "r32f") {
+            where += (where.empty() ? "" : ", ") + shown.where;
+        }
+    }
+    return where;
+}
+
+analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
+    const TechniqueChoice& choice = setting.choice;
+    analysis::MeasurementRow row;
+    row.scene = view.scene->id;
+    row.camera = view.camera;
+    row.validity = stimuli::to_string(view.validity);
+    row.technique = choice.technique;
+    row.variant = choice.variant_name();
+    row.samples = choice.samples;
+    row.blur = choice.denoise;
+    row.depth_format = choice.depth_format;
+    row.noise = choice.samples > 0 ? fmt::format("tile{0}x{0}", kTileSize) : "none";
+    row.width = width;
+    row.height = height;
+    row.device = renderer::gpu_renderer();
+    row.fitted = setting.fitted;
+    row.published = shown_where(view, setting);
+    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
+        row.parameters[parameter.name] = choice.value_of(parameter);
+    }
+    row.reference_radius_m = setting.truth_radius_m;
+    row.fetches_per_px = renderer::fetches_per_pixel(choice);
+    return row;
+}
+
+std::size_t nonfinite_of(const std::vector<float>& values) {
+    std::size_t count = 0;
+    for (const float value : values) count += std::isfinite(value) ? 0 : 1;
+    return count;
+}
+
+double rms(const std::vector<float>& values, const std::vector<std::uint8_t>& counted) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (counted[i] == 0) continue;
+        sum += static_cast<double>(values[i]) * static_cast<double>(values[i]);
+        count += 1.0;
+    }
+    return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+/// Fills the errors of a row from its first image, and draws where they are.
+analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
+                           const renderer::ReferenceImage& truth,
+                           const std::vector<std::uint8_t>& true_image) {
+    const std::vector<float> measured = final_accessibility(frame);
+    const std::vector<std::uint8_t> surfaces = surface_mask(frame, truth);
+    row.error = analysis::accessibility_error(measured, truth.accessibility, surfaces);
+    std::vector<std::uint8_t> interior =
+        analysis::interior_mask(truth.width, truth.height, kInteriorMargin);
+    for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
+    row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
+    row.nonfinite = nonfinite_of(measured);
+    if (frame.plan().has(renderer::Pass::kDenoise)) {
+        row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
+    }
+    row.truth_stderr = rms(truth.standard_error, surfaces);
+    row.image =
+        analysis::final_image_error(frame.read_display(), true_image, truth.width, truth.height);
+    analysis::ErrorMap map;
+    map.name = fmt::format("error-{}-{}-{}{}", row.scene, row.camera, row.variant,
+                           row.fitted ? "-fitted" : "");
+    map.title = fmt::format("{}, {}: {}{}", row.scene, row.camera, row.variant,
+                            row.fitted ? ", fitted" : ", as published");
+    map.width = truth.width;
+    map.height = truth.height;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        map.difference.push_back(surfaces[i] != 0 ? measured[i] - truth.accessibility[i] : 0.0F);
+    }
+    return map;
+}
+
+}  // namespace
+
+std::vector<float> final_accessibility(const Frame& frame) {
+    if (!frame.plan().has(renderer::Pass::kAccessibility)) {
+        return std::vector<float>(static_cast<std::size_t>(frame.plan().width) *
+                                      static_cast<std::size_t>(frame.plan().height),
+                                  1.0F);
+    }
+    return frame.read_floats(frame.plan().final_accessibility());
+}
+
+std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::ReferenceImage& truth) {
+    std::vector<std::uint8_t> mask;
+    mask.reserve(truth.depth_m.size());
+    for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
+    if (frame.plan().find(Target::kDepth) == nullptr) return mask;
+    const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= depth_m[i] < kBackgroundLimit_m;
+    return mask;
+}
+
+SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
+                const std::vector<Setting>& settings, const TimerCheck& timers,
+                const std::function<void(const std::string&)>& step) {
+    SweptView swept;
+    std::map<double, std::vector<std::uint8_t>> true_images;
+    for (const Setting& setting : settings) {
+        const double radius_m = setting.truth_radius_m;
+        const renderer::ReferenceImage& truth =
+            stage.truth(view, radius_m, request.width, request.height, request.rays);
+        if (!true_images.contains(radius_m)) {
+            true_images.emplace(radius_m, stage.true_image(view, truth, radius_m));
+        }
+        swept.rows.push_back(describe(view, setting, request.width, request.height));
+        swept.rows.back().timer = timers.timer();
+    }
+    std::vector<RunTimes> times(settings.size());
+    for (int run = 0; run < kDiscardedRuns + request.runs; ++run) {
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            const double radius_m = settings[i].truth_radius_m;
+            const Frame frame =
+                stage.render(view, settings[i].choice, request.width, request.height);
+            if (run >= kDiscardedRuns) times[i].add(frame, timers.use_queries);
+            if (run == 0) {
+                analysis::ErrorMap map = compare(
+                    swept.rows[i], frame,
+                    stage.truth(view, radius_m, request.width, request.height, request.rays),
+                    true_images.at(radius_m));
+                if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
+            }
+            step(fmt::format("{} {} {}", view.scene->id, view.camera,
+                             settings[i].choice.variant_name()));
+        }
+    }
+    for (std::size_t i = 0; i < settings.size(); ++i) times[i].put(swept.rows[i]);
+    return swept;
+}
+
+}  // namespace obscura::app

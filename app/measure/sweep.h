@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/measurement/report.h"
+#include "app/measure/stage.h"
+#include "app/measure/timing.h"
+
+namespace obscura::app {
+
+/// A setting to measure on a view.
+struct Setting {
+    renderer::TechniqueChoice choice;
+    double truth_radius_m = 0.5;  ///< R of the truth it is held against
+    bool fitted = false;
+};
+
+/// What the sweep of a view gives.
+struct SweptView {
+    std::vector<analysis::MeasurementRow> rows;  ///< one a setting
+    std::vector<analysis::ErrorMap> maps;        ///< of the settings that the study shows
+};
+
+/// Renders every setting kDiscardedRuns + runs times, one after the other and then all again (A B A
+/// B), times the later runs, and compares the first image's accessibility with the truth: surfaces
+/// only, because empty pixels are 1 in both. `step` is called after each image.
+[[nodiscard]] SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
+                              const std::vector<Setting>& settings, const TimerCheck& timers,
+                              const std::function<void(const std::string&)>& step);
+
+/// The share of width and height at each side that the interior error leaves out.
+inline constexpr double kInteriorMargin = 0.1;
+
+/// 1 where the truth and, if the frame has a depth buffer, the frame too show a surface.
+[[nodiscard]] std::vector<std::uint8_t> surface_mask(const renderer::Frame& frame,
+                                                     const renderer::ReferenceImage& truth);
+
+/// What the composite uses: the technique's buffer after its filter, or 1 everywhere.
+[[nodiscard]] std::vector<float> final_accessibility(const renderer::Frame& frame);
+
+}  // namespace obscura::app

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/measurement/row.h"
+#include "app/measure/stage.h"
+
+namespace obscura::app {
+
+/// Which of the two ways to time a pass is right here, and how that was found out.
+struct TimerCheck {
+    bool use_queries = false;  ///< else glFinish and the clock
+    double clock_ms = 0.0;
+    double query_ms = 0.0;
+    std::string sentence;
+
+    [[nodiscard]] std::string timer() const { return use_queries ? "queries" : "clock"; }
+};
+
+/// The largest disagreement of timestamp queries with the clock at which they are still used.
+inline constexpr double kTimerTolerance = 0.1;
+
+/// What the two times of a pass of more than 20 ms say. On a software renderer the clock is used
+/// whatever they say.
+[[nodiscard]] TimerCheck judge_timers(double clock_ms, double query_ms, bool software);
+
+/// Enlarges the image until the technique's pass takes more than 20 ms by the clock, or as far as
+/// 4096 pixels, and compares.
+[[nodiscard]] TimerCheck check_timers(Stage& stage, const View& view,
+                                      const renderer::TechniqueChoice& choice);
+
+/// The times of several runs of one setting.
+class RunTimes {
+  public:
+    void add(const renderer::Frame& frame, bool use_queries);
+    /// Writes the summaries into the row.
+    void put(analysis::MeasurementRow& row) const;
+
+  private:
+    std::vector<double> accessibility_ms_;
+    std::vector<double> denoise_ms_;
+    std::vector<double> both_ms_;
+    std::vector<double> frame_ms_;
+};
+
+}  // namespace obscura::app

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/denoise/denoise.h"
+#include "renderer/hard_cases/bench.h"
+#include "renderer/hard_cases/shapes.h"
+#include "renderer/passes/shared_constants.h"
+
+namespace obscura::renderer {
+namespace {
+
+/// A floor that meets a wall along a line parallel to the image's rows.
+Scene straight_corner() {
+    Scene scene = shapes::empty();
+    shapes::add_quad(scene, {-40.0F, -1.0F, -5.0F}, {80.0F, 0.0F, 0.0F}, {0.0F, 40.0F, 0.0F});
+    shapes::add_quad(scene, {-40.0F, -1.0F, 0.0F}, {80.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -5.0F});
+    return scene;
+}
+
+/// The largest difference, over all rows, between the means of a row's pixels by their place in the
+/// tile of rotations; border left out.
+double tile_pattern(const Shot& shot) {
+    double largest = 0.0;
+    const int margin = shot.width / 8 / kTileSize * kTileSize;
+    for (int y = margin; y < shot.height - margin; ++y) {
+        double mean[kTileSize] = {};
+        const int columns = (shot.width - 2 * margin) / kTileSize;
+        for (int x = 0; x < columns * kTileSize; ++x) {
+            mean[x % kTileSize] +=
+                static_cast<double>(shot.denoised[shot.at(margin + x, y)]) / columns;
+        }
+        const auto [low, high] = std::minmax_element(std::begin(mean), std::end(mean));
+        largest = std::max(largest, *high - *low);
+    }
+    return largest;
+}
+
+/// A near plate over the right half, more than R before a wall that a box darkens just left of the
+/// plate's edge.
+Scene plate_before_dark_wall() {
+    Scene scene = shapes::empty();
+    shapes::add_quad(scene, {-40.0F, -40.0F, -5.0F}, {80.0F, 0.0F, 0.0F}, {0.0F, 80.0F, 0.0F});
+    shapes::add_quad(scene, {0.0F, -40.0F, -3.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 80.0F, 0.0F});
+    shapes::add_box(scene, {-1.2F, -40.0F, -5.0F}, {-0.2F, 40.0F, -4.8F});
+    return scene;
+}
+
+/// The smallest value on the plate one pixel or more off its edge.
+double smallest_on_plate(const Shot& shot) {
+    double smallest = 1.0;
+    for (int y = shot.height / 8; y < shot.height - shot.height / 8; ++y) {
+        for (int x = 1; x < shot.width - shot.width / 8; ++x) {
+            const bool plate = shot.depth_m[shot.at(x, y)] < 4.0F;
+            const bool next = shot.depth_m[shot.at(x - 1, y)] < 4.0F;
+            if (plate && next) {
+                smallest = std::min(smallest, static_cast<double>(shot.denoised[shot.at(x, y)]));
+            }
+        }
+    }
+    return smallest;
+}
+
+/// Case 11, for every filter.
+void run(Bench& bench, const std::string& technique) {
+    if (technique == kReference) return;  // it has neither tile nor filter
+    const int size = bench.options().size_px;
+    for (const Denoise& filter : denoise_filters()) {
+        if (filter.passes == 0) continue;
+        TechniqueChoice choice = Bench::settings(technique, 0.4);
+        choice.denoise = filter.name;
+        const Shot corner =
+            bench.shoot(straight_corner(), shapes::camera(5.0F), choice, size, size);
+        bench.expect(technique, filter.name + ": 4-pixel pattern left along a straight corner", 0.0,
+                     tile_pattern(corner), 0.004);
+        const Shot edge =
+            bench.shoot(plate_before_dark_wall(), shapes::camera(5.0F), choice, size, size);
+        const double plate = facing_wall_value(technique);
+        bench.expect(
+            technique, filter.name + ": smallest A on a plate, 1 pixel off its edge", plate,
+            std::min(smallest_on_plate(edge), plate), 0.01,
+            filter.reads_depth ? not_white_by_nature(technique) : "the filter knows no edges");
+    }
+}
+
+}  // namespace
+
+HardCase denoise_case() { return {11, "noise and blur", false, run}; }
+
+}  // namespace obscura::renderer
