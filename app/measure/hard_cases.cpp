@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/measure/hard_cases.h"
 
+#include "analysis/statistics/hard_cases.h"
 #include "renderer/base/progress.h"
 #include "renderer/hard_cases/hard_case.h"
 
@@ -32,6 +33,11 @@ std::vector<analysis::HardCaseRow> run_all_hard_cases(const MeasureRequest& requ
     for (const renderer::HardCaseResult& result : renderer::run_hard_cases(options)) {
         rows.push_back({result.name, result.technique, result.quantity, result.expected,
                         result.measured, result.tolerance, holds(result.outcome), result.note});
+    }
+    for (const analysis::StatisticsCase& result : analysis::statistics_hard_cases()) {
+        rows.push_back({"statistics: " + result.name, "", result.quantity, result.expected,
+                        result.measured, result.tolerance,
+                        result.holds ? analysis::Holds::kYes : analysis::Holds::kNo, result.note});
     }
     return rows;
 }
