@@ -44,8 +44,13 @@ struct OpenedScene {
                                      const std::filesystem::path& folder = {},
                                      const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
-/// The scene's light at a level with what the settings replace; `file_lights` are those of a
-/// file. Throws bad input for an environment that cannot be read.
+/// The levels that a scene has light for when the settings are added to its own: ambient light
+/// makes `low`, an environment `moderate`, lights of the study with any environment `high`.
+[[nodiscard]] std::vector<Validity> levels_with(const std::vector<Validity>& own,
+                                                const SceneSettings& settings);
+
+/// The scene's own light at a level with what the settings replace of it. Throws bad input for an
+/// environment that cannot be read.
 [[nodiscard]] renderer::Lighting with_settings(renderer::Lighting lighting, Validity validity,
                                                const SceneSettings& settings,
                                                const std::filesystem::path& folder);
