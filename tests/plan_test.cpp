@@ -29,6 +29,19 @@ SceneNeeds high_needs() {
     return needs;
 }
 
+/// A scene that has everything.
+SceneNeeds all_needs() {
+    SceneNeeds needs = high_needs();
+    needs.point_lights = 2;
+    needs.point_shadow_size = 512;
+    needs.cut_out = true;
+    needs.blended = true;
+    needs.emission = true;
+    return needs;
+}
+
+FrameOptions all_options() { return {2, 0.9F, true}; }
+
 TEST(Plan, ConstantLightUnderCrytekAllocatesNeitherNormalNorLight) {
     const FramePlan plan = plan_frame({}, choice_of("crytek", "separable"), 1280, 720);
     EXPECT_EQ(plan.find(Target::kNormal), nullptr);
@@ -55,18 +68,37 @@ TEST(Plan, NoneUnderConstantLightIsGeometryAndComposite) {
 }
 
 TEST(Plan, EverythingOnHasEveryPassAndLeavesNothingOut) {
-    const FramePlan plan = plan_frame(high_needs(), choice_of("blizzard", "separable"), 1280, 720);
-    EXPECT_EQ(plan.passes.size(), 8U);
+    const FramePlan plan =
+        plan_frame(all_needs(), choice_of("blizzard", "separable"), 640, 360, all_options());
+    EXPECT_EQ(plan.passes.size(), 11U);
     EXPECT_TRUE(plan.left_out.empty());
     EXPECT_EQ(plan.final_accessibility(), Target::kDenoised);
+    EXPECT_EQ(plan.find(Target::kPointShadow)->layers, 12);
+    EXPECT_EQ(plan.find(Target::kHdr)->width, 1280);
+    EXPECT_EQ(plan.find(Target::kResolved)->width, 640);
+}
+
+TEST(Plan, WhatASceneHasNotIsLeftOutWithAReason) {
+    const FramePlan plan = plan_frame({}, choice_of("none"), 64, 64);
+    for (const char* what : {"normal", "depth", "emission", "shadow", "point shadow", "occluders",
+                             "accessibility", "denoise", "light", "sky", "blend", "tone map",
+                             "resolve", "cut-out test", "normal mapping", "albedo texture fetch"}) {
+        const auto found =
+            std::find_if(plan.left_out.begin(), plan.left_out.end(),
+                         [what](const LeftOut& left_out) { return left_out.what == what; });
+        ASSERT_NE(found, plan.left_out.end()) << what;
+        EXPECT_FALSE(found->why.empty()) << what;
+    }
 }
 
 TEST(Plan, EveryTargetThatIsReadIsWrittenBefore) {
     for (const Technique& technique : techniques()) {
         for (const char* denoise : {"none", "box4", "separable"}) {
-            for (const SceneNeeds& needs : {SceneNeeds{}, high_needs()}) {
+            for (const auto& [needs, options] :
+                 {std::pair(SceneNeeds{}, FrameOptions{}), std::pair(high_needs(), FrameOptions{}),
+                  std::pair(all_needs(), all_options())}) {
                 const FramePlan plan =
-                    plan_frame(needs, choice_of(technique.name, denoise), 64, 64);
+                    plan_frame(needs, choice_of(technique.name, denoise), 64, 64, options);
                 std::vector<Target> written;
                 for (const PlannedPass& pass : plan.passes) {
                     for (const Target target : pass.reads) {
@@ -96,6 +128,12 @@ TEST(Plan, BytesAreThoseOfTheFormats) {
 TEST(Plan, BadChoicesAndSizesAreRefused) {
     EXPECT_THROW((void)plan_frame({}, choice_of("none"), 0, 10), base::Error);
     EXPECT_THROW((void)plan_frame({}, choice_of("none"), 10, 20000), base::Error);
+    EXPECT_THROW((void)plan_frame({}, choice_of("none"), 10, 10, {.supersampling = 0}),
+                 base::Error);
+    EXPECT_THROW((void)plan_frame({}, choice_of("none"), 16000, 10, {.supersampling = 2}),
+                 base::Error);
+    EXPECT_THROW((void)plan_frame({}, choice_of("none"), 10, 10, {.occluding_opacity = 0.0F}),
+                 base::Error);
     TechniqueChoice odd = choice_of("crytek");
     odd.samples = 12;
     EXPECT_THROW((void)plan_frame({}, odd, 10, 10), base::Error);

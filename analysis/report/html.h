@@ -9,22 +9,29 @@
 namespace obscura::analysis {
 
 /// A table as pages and Markdown show it: every row has as many cells as there are headings.
+/// Columns that hold only numbers are set to the right with their decimal points below each other.
 struct Table {
     std::vector<std::string> headings;
     std::vector<std::vector<std::string>> rows;
 };
 
 /// A page that is written once and given out as one self-contained HTML file or as Markdown: no
-/// script, nothing fetched, readable without colour.
+/// script, nothing fetched, readable without colour. All text is plain text; it is escaped.
 class Page {
   public:
     explicit Page(std::string title);
 
+    /// Level 2 to 4. Those of level 2 are listed at the top of the page with links.
     void heading(std::string_view text, int level = 2);
-    void paragraph(std::string_view text);  ///< plain text; it is escaped
+    void paragraph(std::string_view text);
     void list(const std::vector<std::string>& items);
+    /// What must not be overlooked, framed.
+    void notice(std::string_view text);
+    /// An answer that stands out: the question, the verdict in a few words, and a sentence.
+    void answer(std::string_view question, std::string_view verdict, std::string_view sentence);
     void table(const Table& table, std::string_view caption = "");
-    /// A drawing: inline in HTML, `![caption](file)` in Markdown.
+    /// A drawing: inline in HTML, `![caption](file)` in Markdown. Where `svg_text` is empty, the
+    /// caption alone, so that it can say why.
     void svg(std::string_view svg_text, std::string_view file, std::string_view caption);
     /// An image file's bytes: inline in HTML (base64), `![caption](file)` in Markdown.
     void image(std::string_view bytes, std::string_view media_type, std::string_view file,
@@ -38,8 +45,10 @@ class Page {
 
   private:
     std::string title_;
+    std::vector<std::string> contents_;  ///< headings of level 2
     std::string html_;
     std::string markdown_;
+    int drawings_ = 0;
 };
 
 /// Text with & < > " made safe for HTML.

@@ -15,6 +15,7 @@ struct Denoise {
     std::string shader;  ///< file in renderer/denoise/; empty: no pass
     int passes = 0;
     bool reads_depth = false;
+    int fetches = 0;  ///< texture reads of one pixel, over all passes, at most
 };
 
 /// All denoise filters.

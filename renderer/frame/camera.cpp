@@ -16,6 +16,8 @@ CameraMatrices matrices_of(const Camera& camera, int width, int height) {
                       std::numbers::pi_v<float> - 1e-3F);
     base::check_range(where, "near_m", camera.near_m, 1e-6F, 1e9F);
     base::check_above(where, "far_m", camera.far_m, camera.near_m, 1e12F);
+    base::check_range(where, "lens_shift x", camera.lens_shift.x, -100.0F, 100.0F);
+    base::check_range(where, "lens_shift y", camera.lens_shift.y, -100.0F, 100.0F);
     const glm::vec3 forward = camera.target_m - camera.position_m;
     const float across = glm::length(glm::cross(forward, camera.up));
     if (!(glm::length(forward) > 0.0F) || !(across > 0.0F)) {
@@ -31,6 +33,9 @@ CameraMatrices matrices_of(const Camera& camera, int width, int height) {
         glm::perspective(camera.vertical_fov_rad, aspect, camera.near_m, camera.far_m);
     const float up_per_metre = std::tan(0.5F * camera.vertical_fov_rad);
     matrices.ray_scale = {up_per_metre * aspect, up_per_metre};
+    matrices.ray_offset = camera.lens_shift * matrices.ray_scale;
+    matrices.clip_from_view[2][0] = camera.lens_shift.x;
+    matrices.clip_from_view[2][1] = camera.lens_shift.y;
     matrices.far_m = camera.far_m;
     return matrices;
 }

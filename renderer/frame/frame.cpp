@@ -3,7 +3,6 @@
 #include "renderer/frame/frame.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -17,22 +16,30 @@ struct GlFormat {
     GLenum type;
 };
 
-GlFormat gl_format(Target target) {
-    switch (target) {
+GlFormat gl_format(const PlannedTarget& planned) {
+    switch (planned.target) {
         case Target::kAlbedo:
             return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kNormal:
+        case Target::kOccluderNormal:
         case Target::kDisplay:
+        case Target::kResolved:
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case Target::kDepth:
+        case Target::kOccluderDepth:
+            if (planned.format == "r16f") return {GL_R16F, GL_RED, GL_HALF_FLOAT};
+            return {GL_R32F, GL_RED, GL_FLOAT};
         case Target::kAccessibility:
         case Target::kDenoiseStep:
         case Target::kDenoised:
             return {GL_R32F, GL_RED, GL_FLOAT};
         case Target::kVisibility:
+        case Target::kOccluderVisibility:
             return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
         case Target::kShadow:
+        case Target::kPointShadow:
             return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+        case Target::kEmission:
         case Target::kAmbient:
         case Target::kDirect:
         case Target::kHdr:
@@ -42,8 +49,9 @@ GlFormat gl_format(Target target) {
 }
 
 gl::Texture make_texture(const PlannedTarget& planned) {
-    const GLenum internal = gl_format(planned.target).internal;
-    const bool layered = planned.target == Target::kShadow;
+    const GLenum internal = gl_format(planned).internal;
+    const bool layered =
+        planned.target == Target::kShadow || planned.target == Target::kPointShadow;
     gl::Texture texture =
         gl::Texture::make(static_cast<GLenum>(layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
     if (layered) {
@@ -81,7 +89,7 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
     if (planned == nullptr) {
         throw base::failure("this frame has no {} target", to_string(target));
     }
-    const GlFormat format = gl_format(target);
+    const GlFormat format = gl_format(*planned);
     std::vector<std::uint8_t> bytes(planned->bytes);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(texture(target), 0, format.format, format.type,
@@ -90,20 +98,28 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
 }
 
 std::vector<float> Frame::read_floats(Target target) const {
-    const std::vector<std::uint8_t> bytes = read_bytes(target);
-    std::vector<float> values(bytes.size() / sizeof(float));
+    const PlannedTarget* planned = plan_.find(target);
+    if (planned == nullptr) {
+        throw base::failure("this frame has no {} target", to_string(target));
+    }
+    std::vector<float> stored(static_cast<std::size_t>(planned->width) *
+                              static_cast<std::size_t>(planned->height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture(target), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(stored.size() * sizeof(float)), stored.data());
+    std::vector<float> values(stored.size());
     const auto row = static_cast<std::size_t>(plan_.width);
     for (std::size_t y = 0; y < static_cast<std::size_t>(plan_.height); ++y) {
-        std::memcpy(&values[(plan_.height - 1 - y) * row], &bytes[y * row * sizeof(float)],
-                    row * sizeof(float));
+        std::copy_n(&stored[y * row], row,
+                    &values[(static_cast<std::size_t>(plan_.height) - 1 - y) * row]);
     }
     return values;
 }
 
 std::vector<std::uint8_t> Frame::read_display() const {
-    const std::vector<std::uint8_t> rgba = read_bytes(Target::kDisplay);
-    const auto width = static_cast<std::size_t>(plan_.width);
-    const auto height = static_cast<std::size_t>(plan_.height);
+    const std::vector<std::uint8_t> rgba = read_bytes(plan_.image());
+    const auto width = static_cast<std::size_t>(plan_.image_width);
+    const auto height = static_cast<std::size_t>(plan_.image_height);
     std::vector<std::uint8_t> rgb(3 * width * height);
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) {

@@ -15,7 +15,8 @@ namespace obscura::renderer {
 /// How long one pass took.
 struct PassTime {
     Pass pass = Pass::kGeometry;
-    double milliseconds = 0.0;
+    double milliseconds = 0.0;        ///< by glFinish and a monotonic clock: right on every driver
+    double query_milliseconds = 0.0;  ///< by GL timestamps: wrong on a software renderer
 };
 
 /// The buffers of one rendered image, until the next one is wanted.

@@ -26,7 +26,8 @@ void check_scene(const Scene& scene) {
     }
     const auto count = static_cast<TextureIndex>(scene.textures.size());
     for (const Material& material : scene.materials) {
-        for (const TextureIndex index : {material.albedo_texture, material.normal_texture}) {
+        for (const TextureIndex index : {material.albedo_texture, material.normal_texture,
+                                         material.emissive_texture, material.occlusion_texture}) {
             if (index < kNoTexture || index >= count) {
                 throw base::bad_input("scene {}, material {}: texture {} of {}", scene.name,
                                       material.name, index, count);
@@ -87,6 +88,8 @@ GpuScene::GpuScene(const Scene& scene)
     : vertex_array_(gl::VertexArray::make()),
       vertices_(gl::Buffer::make()),
       indices_(gl::Buffer::make()),
+      sorted_vertex_array_(gl::VertexArray::make()),
+      sorted_indices_(gl::Buffer::make()),
       materials_(scene.materials),
       bounds_(bounds_of(scene)) {
     check_scene(scene);
@@ -94,8 +97,12 @@ GpuScene::GpuScene(const Scene& scene)
     std::size_t index_count = 0;
     for (const Mesh& mesh : scene.meshes) {
         if (mesh.indices.empty()) continue;
-        draws_.push_back({static_cast<GLsizei>(mesh.indices.size()), index_count,
-                          static_cast<GLint>(vertex_count), mesh.material});
+        if (scene.materials[mesh.material].coverage == Coverage::kBlended) {
+            add_blended(mesh, vertex_count);
+        } else {
+            draws_.push_back({static_cast<GLsizei>(mesh.indices.size()), index_count,
+                              static_cast<GLint>(vertex_count), mesh.material});
+        }
         vertex_count += mesh.vertices.size();
         index_count += mesh.indices.size();
     }
@@ -120,7 +127,26 @@ GpuScene::GpuScene(const Scene& scene)
         index_offset += index_bytes;
     }
     describe_vertices(vertex_array_.name(), vertices_.name(), indices_.name());
+    if (!blended_.empty()) {
+        glNamedBufferStorage(sorted_indices_.name(),
+                             static_cast<GLsizeiptr>(3 * blended_.size() * sizeof(std::uint32_t)),
+                             nullptr, GL_DYNAMIC_STORAGE_BIT);
+        describe_vertices(sorted_vertex_array_.name(), vertices_.name(), sorted_indices_.name());
+    }
     for (const Texture& texture : scene.textures) textures_.push_back(upload(scene, texture));
+}
+
+void GpuScene::add_blended(const Mesh& mesh, std::size_t first_vertex) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        BlendedTriangle triangle;
+        triangle.material = mesh.material;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t index = mesh.indices[i + corner];
+            triangle.indices[corner] = static_cast<std::uint32_t>(first_vertex) + index;
+            triangle.middle_m += mesh.vertices[index].position_m / 3.0F;
+        }
+        blended_.push_back(triangle);
+    }
 }
 
 }  // namespace obscura::renderer

@@ -16,6 +16,10 @@ struct Renderer::Job {
     Frame& frame;
 
     [[nodiscard]] bool has(Target target) const { return plan.find(target) != nullptr; }
+    /// The buffer that stands in for kDepth, kNormal or kVisibility before the technique.
+    [[nodiscard]] GLuint seen(Target target) const {
+        return frame.texture(plan.seen_by_technique(target));
+    }
     /// From view space to the world, directions only.
     [[nodiscard]] glm::mat3 world_from_view() const {
         return glm::transpose(glm::mat3(camera.view_from_world));

@@ -12,21 +12,55 @@ void clear(GLuint framebuffer, GLint slot, const glm::vec4& value) {
 
 }  // namespace
 
+Renderer::Defines Renderer::surface_defines(const SceneNeeds& needs, bool normal) {
+    Defines defines;
+    const bool normal_mapping = needs.normal_mapping && normal;
+    if (normal) defines.emplace_back("NORMAL");
+    if (needs.textures) defines.emplace_back("TEXTURES");
+    if (normal_mapping) defines.emplace_back("NORMAL_MAPPING");
+    if (needs.emission) defines.emplace_back("EMISSION");
+    if (needs.textures || normal_mapping || needs.emission) defines.emplace_back("UV");
+    return defines;
+}
+
+void Renderer::set_surface(Job& job, gl::Program& program, const Material& material) {
+    const SceneNeeds& needs = job.plan.needs;
+    const auto map = [&](const char* has, const char* sampler, TextureIndex index, int unit) {
+        const bool there = index != kNoTexture;
+        program.set(has, there ? 1 : 0);
+        bind(program, sampler, there ? job.scene.texture(index) : 0, unit);
+    };
+    program.set("u_albedo", material.albedo);
+    program.set("u_opacity", material.opacity);
+    program.set("u_alpha_cutoff", material.alpha_cutoff);
+    program.set("u_specular_intensity", material.specular_intensity);
+    program.set("u_specular_power", material.specular_power);
+    if (needs.textures) map("u_has_albedo_map", "t_albedo_map", material.albedo_texture, 0);
+    if (needs.normal_mapping) map("u_has_normal_map", "t_normal_map", material.normal_texture, 1);
+    if (needs.emission) {
+        map("u_has_emissive_map", "t_emissive_map", material.emissive_texture, 2);
+        map("u_has_occlusion_map", "t_occlusion_map", material.occlusion_texture, 3);
+        const bool baked = material.occlusion_texture != kNoTexture;
+        program.set("u_occlusion_strength", baked ? material.occlusion_strength : 0.0F);
+        program.set("u_emissive", material.emissive);
+    }
+    if (material.double_sided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+    }
+}
+
 void Renderer::run_geometry(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
-    Defines defines;
-    if (job.has(Target::kNormal)) defines.emplace_back("NORMAL");
+    Defines defines = surface_defines(needs, job.has(Target::kNormal));
     if (job.has(Target::kDepth)) defines.emplace_back("DEPTH");
-    if (needs.textures) defines.emplace_back("TEXTURES");
-    const bool normal_mapping = needs.normal_mapping && job.has(Target::kNormal);
-    if (normal_mapping) defines.emplace_back("NORMAL_MAPPING");
-    gl::Program& shader =
-        program("passes/geometry.vert.glsl", "passes/geometry.frag.glsl", defines);
 
-    attach(job, {Target::kAlbedo, Target::kNormal, Target::kDepth});
+    attach(job, {Target::kAlbedo, Target::kNormal, Target::kDepth, Target::kEmission});
     clear(framebuffer_.name(), 0, glm::vec4(0.0F));
     if (job.has(Target::kNormal)) clear(framebuffer_.name(), 1, glm::vec4(0.0F));
     if (job.has(Target::kDepth)) clear(framebuffer_.name(), 2, glm::vec4(kBackgroundDepth_m));
+    if (job.has(Target::kEmission)) clear(framebuffer_.name(), 3, glm::vec4(0, 0, 0, 1));
     constexpr GLfloat kFar = 1.0F;
     glDepthMask(GL_TRUE);
     glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFar);
@@ -34,66 +68,26 @@ void Renderer::run_geometry(Job& job) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
-    shader.use();
-    shader.set("u_view", job.camera.view_from_world);
-    shader.set("u_projection", job.camera.clip_from_view);
     glBindVertexArray(job.scene.vertex_array());
-    for (const GpuScene::Draw& draw : job.scene.draws()) {
-        const Material& material = job.scene.materials()[draw.material];
-        shader.set("u_albedo", material.albedo);
-        shader.set("u_specular_intensity", material.specular_intensity);
-        shader.set("u_specular_power", material.specular_power);
-        if (needs.textures) {
-            const bool has = material.albedo_texture != kNoTexture;
-            shader.set("u_has_albedo_map", has ? 1 : 0);
-            bind(shader, "t_albedo_map", has ? job.scene.texture(material.albedo_texture) : 0, 0);
+    // Surfaces without holes first: their shader discards nothing, and what they hide is not
+    // shaded.
+    for (const bool cut_out : {false, true}) {
+        if (cut_out && !needs.cut_out) continue;
+        if (cut_out) defines.emplace_back("CUT_OUT");
+        gl::Program& shader =
+            program("passes/geometry.vert.glsl", "passes/geometry.frag.glsl", defines);
+        shader.use();
+        shader.set("u_view", job.camera.view_from_world);
+        shader.set("u_projection", job.camera.clip_from_view);
+        for (const GpuScene::Draw& draw : job.scene.draws()) {
+            const Material& material = job.scene.materials()[draw.material];
+            if ((material.coverage == Coverage::kCutOut) != cut_out) continue;
+            set_surface(job, shader, material);
+            job.scene.draw(draw);
         }
-        if (normal_mapping) {
-            const bool has = material.normal_texture != kNoTexture;
-            shader.set("u_has_normal_map", has ? 1 : 0);
-            bind(shader, "t_normal_map", has ? job.scene.texture(material.normal_texture) : 0, 1);
-        }
-        if (material.double_sided) {
-            glDisable(GL_CULL_FACE);
-        } else {
-            glEnable(GL_CULL_FACE);
-        }
-        glDrawElementsBaseVertex(
-            GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)),
-            draw.base_vertex);
     }
     glDisable(GL_CULL_FACE);
     glDisable(GL_FRAMEBUFFER_SRGB);
-}
-
-void Renderer::run_shadow(Job& job) {
-    gl::Program& shader = program("passes/shadow.vert.glsl", "passes/shadow.frag.glsl", {});
-    const PlannedTarget& map = *job.plan.find(Target::kShadow);
-    const gl::Framebuffer layer = gl::Framebuffer::make();
-    glNamedFramebufferDrawBuffer(layer.name(), GL_NONE);
-    glViewport(0, 0, map.width, map.height);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-    shader.use();
-    glBindVertexArray(job.scene.vertex_array());
-    for (std::size_t i = 0; i < job.lighting.lights.size(); ++i) {
-        glNamedFramebufferTextureLayer(layer.name(), GL_DEPTH_ATTACHMENT,
-                                       job.frame.texture(Target::kShadow), 0,
-                                       static_cast<GLint>(i));
-        glBindFramebuffer(GL_FRAMEBUFFER, layer.name());
-        constexpr GLfloat kFar = 1.0F;
-        glClearNamedFramebufferfv(layer.name(), GL_DEPTH, 0, &kFar);
-        const ShadowView view = shadow_view(job.scene.bounds(), job.lighting.lights[i], map.width);
-        shader.set("u_shadow_clip", view.clip_from_world);
-        for (const GpuScene::Draw& draw : job.scene.draws()) {
-            glDrawElementsBaseVertex(
-                GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                reinterpret_cast<const void*>(draw.first_index * sizeof(std::uint32_t)),
-                draw.base_vertex);
-        }
-    }
 }
 
 }  // namespace obscura::renderer

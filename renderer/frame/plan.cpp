@@ -31,6 +31,16 @@ TargetFacts facts_of(Target target) {
             return {"visibility", "depth24", 4};
         case Target::kShadow:
             return {"shadow", "depth32f", 4};
+        case Target::kPointShadow:
+            return {"point shadow", "depth32f", 4};
+        case Target::kEmission:
+            return {"emission", "rgba16f", 8};
+        case Target::kOccluderDepth:
+            return {"occluder depth", "r32f", 4};
+        case Target::kOccluderNormal:
+            return {"occluder normal", "rgba8", 4};
+        case Target::kOccluderVisibility:
+            return {"occluder visibility", "depth24", 4};
         case Target::kAccessibility:
             return {"accessibility", "r32f", 4};
         case Target::kDenoiseStep:
@@ -45,6 +55,8 @@ TargetFacts facts_of(Target target) {
             return {"hdr", "rgba16f", 8};
         case Target::kDisplay:
             return {"display", "rgba8", 4};
+        case Target::kResolved:
+            return {"resolved", "rgba8", 4};
     }
     return {"", "", 0};
 }
@@ -52,12 +64,29 @@ TargetFacts facts_of(Target target) {
 /// Adds passes and, with them, the targets they write.
 class Planner {
   public:
-    Planner(const SceneNeeds& needs, int width, int height) {
-        plan_.width = width;
-        plan_.height = height;
+    Planner(const SceneNeeds& needs, const TechniqueChoice& choice, const FrameOptions& options,
+            int width, int height)
+        : depth_format_(choice.depth_format),
+          technique_(*find_technique(choice.technique)),
+          denoise_(*find_denoise(choice.denoise)) {
+        plan_.width = width * options.supersampling;
+        plan_.height = height * options.supersampling;
+        plan_.image_width = width;
+        plan_.image_height = height;
+        plan_.options = options;
         plan_.needs = needs;
+        accessibility_ = !technique_.shader.empty();
     }
 
+    void plan_geometry();
+    void plan_shadow();
+    void plan_accessibility();
+    void plan_light();
+    void plan_image();
+
+    FramePlan take() { return std::move(plan_); }
+
+  private:
     void pass(Pass pass, std::vector<Target> reads, std::vector<Target> writes) {
         for (const Target target : writes) {
             if (plan_.find(target) == nullptr) add(target);
@@ -69,24 +98,155 @@ class Planner {
         plan_.left_out.push_back({std::move(what), std::move(why)});
     }
 
-    FramePlan take() { return std::move(plan_); }
-
-  private:
     void add(Target target) {
         const TargetFacts facts = facts_of(target);
         PlannedTarget planned{target, facts.format, plan_.width, plan_.height, 1, 0};
+        std::size_t bytes_per_texel = facts.bytes_per_texel;
+        if ((target == Target::kDepth || target == Target::kOccluderDepth) &&
+            depth_format_ == "r16f") {
+            planned.format = depth_format_;
+            bytes_per_texel = 2;
+        }
         if (target == Target::kShadow) {
             planned.width = planned.height = plan_.needs.shadow_size;
             planned.layers = plan_.needs.lights;
         }
-        planned.bytes = facts.bytes_per_texel * static_cast<std::size_t>(planned.width) *
+        if (target == Target::kPointShadow) {
+            planned.width = planned.height = plan_.needs.point_shadow_size;
+            planned.layers = 6 * plan_.needs.point_lights;
+        }
+        if (target == Target::kResolved) {
+            planned.width = plan_.image_width;
+            planned.height = plan_.image_height;
+        }
+        planned.bytes = bytes_per_texel * static_cast<std::size_t>(planned.width) *
                         static_cast<std::size_t>(planned.height) *
                         static_cast<std::size_t>(planned.layers);
         plan_.targets.push_back(planned);
     }
 
+    const SceneNeeds& needs() const { return plan_.needs; }
+    [[nodiscard]] bool lit() const { return needs().environment || needs().direct_light(); }
+    [[nodiscard]] bool occluders() const {
+        return accessibility_ && needs().blended && plan_.options.occluding_opacity.has_value();
+    }
+    [[nodiscard]] bool denoised() const { return accessibility_ && denoise_.passes > 0; }
+
+    const std::string depth_format_;
+    const Technique& technique_;
+    const Denoise& denoise_;
+    bool accessibility_ = false;
+    std::vector<Target> light_;  ///< buffers that the light pass writes
     FramePlan plan_;
 };
+
+void Planner::plan_geometry() {
+    const bool all = plan_.options.all_buffers;
+    const bool depth = all || (accessibility_ && technique_.reads_depth) || needs().direct_light();
+    const bool normal = all || (accessibility_ && technique_.reads_normal) || lit();
+    std::vector<Target> writes{Target::kVisibility, Target::kAlbedo};
+    if (normal) writes.push_back(Target::kNormal);
+    if (depth) writes.push_back(Target::kDepth);
+    if (needs().emission) writes.push_back(Target::kEmission);
+    pass(Pass::kGeometry, {}, writes);
+    if (!normal) leave_out("normal", "neither the technique nor the light reads it");
+    if (!depth) leave_out("depth", "neither the technique nor a light reads it");
+    if (!needs().emission) {
+        leave_out("emission", "no material sends out light or has baked accessibility");
+    }
+    if (!needs().normal_mapping) leave_out("normal mapping", "the scene asks for none");
+    if (!needs().textures) leave_out("albedo texture fetch", "no material has a texture");
+    if (!needs().cut_out) leave_out("cut-out test", "no material has holes");
+}
+
+void Planner::plan_shadow() {
+    std::vector<Target> writes;
+    if (needs().lights > 0) writes.push_back(Target::kShadow);
+    if (needs().point_lights > 0) writes.push_back(Target::kPointShadow);
+    if (!writes.empty()) pass(Pass::kShadow, {}, writes);
+    if (needs().lights == 0) leave_out("shadow", "the scene has no directional light");
+    if (needs().point_lights == 0) leave_out("point shadow", "the scene has no point light");
+}
+
+void Planner::plan_accessibility() {
+    if (occluders()) {
+        std::vector<Target> reads{Target::kVisibility, Target::kDepth};
+        std::vector<Target> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
+        if (technique_.reads_normal) {
+            reads.push_back(Target::kNormal);
+            writes.push_back(Target::kOccluderNormal);
+        }
+        pass(Pass::kOccluders, reads, writes);
+    } else {
+        leave_out("occluders", needs().blended ? "blended surfaces are asked not to occlude"
+                                               : "no material is blended");
+    }
+    if (!accessibility_) {
+        leave_out("accessibility", "the technique computes none");
+        leave_out("denoise", "there is no accessibility to denoise");
+        return;
+    }
+    std::vector<Target> reads{plan_.seen_by_technique(Target::kDepth)};
+    if (technique_.reads_normal) reads.push_back(plan_.seen_by_technique(Target::kNormal));
+    pass(Pass::kAccessibility, reads, {Target::kAccessibility});
+    if (!denoised()) {
+        leave_out("denoise", "the variant asks for none");
+        return;
+    }
+    std::vector<Target> denoise_reads{Target::kAccessibility};
+    if (denoise_.reads_depth) denoise_reads.push_back(plan_.seen_by_technique(Target::kDepth));
+    std::vector<Target> writes{Target::kDenoised};
+    if (denoise_.passes > 1) writes.insert(writes.begin(), Target::kDenoiseStep);
+    pass(Pass::kDenoise, denoise_reads, writes);
+}
+
+void Planner::plan_light() {
+    if (needs().environment) light_.push_back(Target::kAmbient);
+    if (needs().direct_light()) light_.push_back(Target::kDirect);
+    if (!lit()) {
+        leave_out("light", "constant ambient light needs no buffer");
+        return;
+    }
+    std::vector<Target> reads{Target::kNormal};
+    if (needs().direct_light()) reads.push_back(Target::kDepth);
+    if (needs().lights > 0) reads.push_back(Target::kShadow);
+    if (needs().point_lights > 0) reads.push_back(Target::kPointShadow);
+    pass(Pass::kLight, reads, light_);
+    if (!needs().specular) leave_out("specular", "no material or no light has any");
+}
+
+void Planner::plan_image() {
+    const Target image = needs().hdr() ? Target::kHdr : Target::kDisplay;
+    std::vector<Target> reads{Target::kAlbedo};
+    if (accessibility_) reads.push_back(plan_.final_accessibility());
+    reads.insert(reads.end(), light_.begin(), light_.end());
+    if (needs().emission) reads.push_back(Target::kEmission);
+    pass(Pass::kComposite, reads, {image});
+    if (needs().environment) {
+        pass(Pass::kSky, {Target::kVisibility}, {image});
+    } else {
+        leave_out("sky", "the scene has no environment");
+    }
+    if (needs().blended) {
+        std::vector<Target> seen{Target::kVisibility};
+        if (needs().lights > 0) seen.push_back(Target::kShadow);
+        if (needs().point_lights > 0) seen.push_back(Target::kPointShadow);
+        if (occluders()) seen.push_back(plan_.final_accessibility());
+        pass(Pass::kBlend, seen, {image});
+    } else {
+        leave_out("blend", "no material is blended");
+    }
+    if (needs().hdr()) {
+        pass(Pass::kToneMap, {Target::kHdr}, {Target::kDisplay});
+    } else {
+        leave_out("tone map", "the scene is not HDR");
+    }
+    if (plan_.options.supersampling > 1) {
+        pass(Pass::kResolve, {Target::kDisplay}, {Target::kResolved});
+    } else {
+        leave_out("resolve", "each pixel takes one sample");
+    }
+}
 
 }  // namespace
 
@@ -98,18 +258,24 @@ std::string to_string(Pass pass) {
             return "geometry";
         case Pass::kShadow:
             return "shadow";
+        case Pass::kOccluders:
+            return "occluders";
         case Pass::kAccessibility:
             return "accessibility";
         case Pass::kDenoise:
             return "denoise";
         case Pass::kLight:
             return "light";
-        case Pass::kSky:
-            return "sky";
         case Pass::kComposite:
             return "composite";
+        case Pass::kSky:
+            return "sky";
+        case Pass::kBlend:
+            return "blend";
         case Pass::kToneMap:
             return "tone map";
+        case Pass::kResolve:
+            return "resolve";
     }
     return "";
 }
@@ -136,97 +302,63 @@ Target FramePlan::final_accessibility() const {
     return has(Pass::kDenoise) ? Target::kDenoised : Target::kAccessibility;
 }
 
+Target FramePlan::seen_by_technique(Target target) const {
+    if (!has(Pass::kOccluders)) return target;
+    switch (target) {
+        case Target::kDepth:
+            return Target::kOccluderDepth;
+        case Target::kNormal:
+            return Target::kOccluderNormal;
+        case Target::kVisibility:
+            return Target::kOccluderVisibility;
+        default:
+            return target;
+    }
+}
+
+Target FramePlan::image() const {
+    return has(Pass::kResolve) ? Target::kResolved : Target::kDisplay;
+}
+
 SceneNeeds needs_of(const Scene& scene, const Lighting& lighting) {
     SceneNeeds needs;
     needs.environment = lighting.environment != nullptr;
     needs.lights = static_cast<int>(lighting.lights.size());
+    needs.point_lights = static_cast<int>(lighting.point_lights.size());
     needs.tone_mapping = lighting.tone_mapping.has_value();
     for (const Material& material : scene.materials) {
         if (material.normal_texture != kNoTexture) needs.normal_mapping = lighting.normal_mapping;
         if (material.albedo_texture != kNoTexture) needs.textures = true;
-        if (material.specular_intensity > 0.0F && needs.lights > 0) needs.specular = true;
+        if (material.specular_intensity > 0.0F && needs.direct_light()) needs.specular = true;
+        if (material.coverage == Coverage::kCutOut) needs.cut_out = true;
+        if (material.coverage == Coverage::kBlended) needs.blended = true;
+        if (material.emissive != glm::vec3(0.0F)) needs.emission = true;
+        if (material.occlusion_texture != kNoTexture) needs.emission = true;
     }
     if (needs.lights > 0) needs.shadow_size = shadow_map_size(bounds_of(scene));
+    if (needs.point_lights > 0) needs.point_shadow_size = kPointShadowSize;
     return needs;
 }
 
-FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int width,
-                     int height) {
-    base::check_range("resolution", "width", width, 1, 16384);
-    base::check_range("resolution", "height", height, 1, 16384);
+FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int width, int height,
+                     const FrameOptions& options) {
+    base::check_range("resolution", "supersampling", options.supersampling, 1, kMostSupersampling);
+    const int most = 16384 / options.supersampling;
+    base::check_range("resolution", "width", width, 1, most);
+    base::check_range("resolution", "height", height, 1, most);
+    if (options.occluding_opacity) {
+        base::check_above("blended surfaces", "occluding opacity", *options.occluding_opacity, 0.0F,
+                          1.0F);
+    }
     for (const ChoiceProblem& problem : problems_of(choice)) {
         throw base::bad_input("{}: {}", problem.key, problem.message);
     }
-    const Technique& technique = *find_technique(choice.technique);
-    const Denoise& denoise = *find_denoise(choice.denoise);
-    const bool accessibility = !technique.shader.empty();
-    const bool denoised = accessibility && denoise.passes > 0;
-    const bool lit = needs.environment || needs.lights > 0;
-    const bool depth = (accessibility && technique.reads_depth) || needs.lights > 0;
-    const bool normal = (accessibility && technique.reads_normal) || lit;
-
-    Planner planner(needs, width, height);
-    std::vector<Target> geometry{Target::kVisibility, Target::kAlbedo};
-    if (normal) geometry.push_back(Target::kNormal);
-    if (depth) geometry.push_back(Target::kDepth);
-    planner.pass(Pass::kGeometry, {}, geometry);
-    if (!normal) planner.leave_out("normal", "neither the technique nor the light reads it");
-    if (!depth) planner.leave_out("depth", "neither the technique nor a light reads it");
-    if (!needs.normal_mapping) planner.leave_out("normal mapping", "the scene asks for none");
-    if (!needs.textures) planner.leave_out("albedo texture fetch", "no material has a texture");
-
-    if (needs.lights > 0) {
-        planner.pass(Pass::kShadow, {}, {Target::kShadow});
-    } else {
-        planner.leave_out("shadow", "the scene has no directional light");
-    }
-    if (accessibility) {
-        std::vector<Target> reads{Target::kDepth};
-        if (technique.reads_normal) reads.push_back(Target::kNormal);
-        planner.pass(Pass::kAccessibility, reads, {Target::kAccessibility});
-    } else {
-        planner.leave_out("accessibility", "the technique computes none");
-    }
-    if (denoised) {
-        std::vector<Target> reads{Target::kAccessibility};
-        if (denoise.reads_depth) reads.push_back(Target::kDepth);
-        std::vector<Target> writes{Target::kDenoised};
-        if (denoise.passes > 1) writes.insert(writes.begin(), Target::kDenoiseStep);
-        planner.pass(Pass::kDenoise, reads, writes);
-    } else {
-        planner.leave_out("denoise", accessibility ? "the variant asks for none"
-                                                   : "there is no accessibility to denoise");
-    }
-
-    const Target image = needs.tone_mapping ? Target::kHdr : Target::kDisplay;
-    std::vector<Target> light;
-    if (needs.environment) light.push_back(Target::kAmbient);
-    if (needs.lights > 0) light.push_back(Target::kDirect);
-    if (lit) {
-        std::vector<Target> reads{Target::kNormal};
-        if (needs.lights > 0) reads.insert(reads.end(), {Target::kDepth, Target::kShadow});
-        planner.pass(Pass::kLight, reads, light);
-    } else {
-        planner.leave_out("light", "constant ambient light needs no buffer");
-    }
-    if (lit && !needs.specular) planner.leave_out("specular", "no material or no light has any");
-
-    std::vector<Target> composite{Target::kAlbedo};
-    if (accessibility) {
-        composite.push_back(denoised ? Target::kDenoised : Target::kAccessibility);
-    }
-    composite.insert(composite.end(), light.begin(), light.end());
-    planner.pass(Pass::kComposite, composite, {image});
-    if (needs.environment) {
-        planner.pass(Pass::kSky, {Target::kVisibility}, {image});
-    } else {
-        planner.leave_out("sky", "the scene has no environment");
-    }
-    if (needs.tone_mapping) {
-        planner.pass(Pass::kToneMap, {Target::kHdr}, {Target::kDisplay});
-    } else {
-        planner.leave_out("tone map", "the scene is not HDR");
-    }
+    Planner planner(needs, choice, options, width, height);
+    planner.plan_geometry();
+    planner.plan_shadow();
+    planner.plan_accessibility();
+    planner.plan_light();
+    planner.plan_image();
     return planner.take();
 }
 

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/job.h"
+#include "renderer/gl/timestamps.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/sampling.h"
 
@@ -83,7 +84,7 @@ void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, i
     program.set(sampler, unit);
 }
 
-void Renderer::attach(Job& job, const std::vector<Target>& targets) {
+void Renderer::attach(Job& job, const std::vector<Target>& targets, Target visibility) {
     constexpr int kSlots = 4;
     const GLuint name = framebuffer_.name();
     std::vector<GLenum> buffers;
@@ -96,7 +97,7 @@ void Renderer::attach(Job& job, const std::vector<Target>& targets) {
         if (present) glNamedFramebufferTexture(name, slot, job.frame.texture(targets[i]), 0);
         buffers.push_back(present ? slot : GL_NONE);
     }
-    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, job.frame.texture(Target::kVisibility), 0);
+    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, job.frame.texture(visibility), 0);
     glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
     if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw base::failure("the driver cannot render to the buffers that a frame of {}x{} needs",
@@ -123,22 +124,31 @@ Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Ca
     static const std::map<Pass, Run> kRuns = {
         {Pass::kGeometry, &Renderer::run_geometry},
         {Pass::kShadow, &Renderer::run_shadow},
+        {Pass::kOccluders, &Renderer::run_occluders},
         {Pass::kAccessibility, &Renderer::run_accessibility},
         {Pass::kDenoise, &Renderer::run_denoise},
         {Pass::kLight, &Renderer::run_light},
         {Pass::kSky, &Renderer::run_sky},
         {Pass::kComposite, &Renderer::run_composite},
+        {Pass::kBlend, &Renderer::run_blend},
         {Pass::kToneMap, &Renderer::run_tone_map},
+        {Pass::kResolve, &Renderer::run_resolve},
     };
     set_known_state();
     glFinish();
+    gl::TimestampQueries timestamps(2 * plan.passes.size());
     for (const PlannedPass& planned : plan.passes) {
+        timestamps.mark();
         const auto start = std::chrono::steady_clock::now();
         (this->*kRuns.at(planned.pass))(job);
+        timestamps.mark();
         glFinish();
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;
-        frame.times.push_back({planned.pass, spent.count()});
+        frame.times.push_back({planned.pass, spent.count(), 0.0});
+    }
+    for (std::size_t i = 0; i < frame.times.size(); ++i) {
+        frame.times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glUseProgram(0);

@@ -45,16 +45,33 @@ class Renderer {
 
     void run_geometry(Job& job);
     void run_shadow(Job& job);
+    void run_occluders(Job& job);
     void run_accessibility(Job& job);
     void run_denoise(Job& job);
     void run_light(Job& job);
     void run_sky(Job& job);
     void run_composite(Job& job);
+    void run_blend(Job& job);
     void run_tone_map(Job& job);
+    void run_resolve(Job& job);
+
+    /// What the shaders of surfaces read, as defines.
+    static Defines surface_defines(const SceneNeeds& needs, bool normal);
+    /// What passes/lighting.glsl reads.
+    static Defines lighting_defines(const SceneNeeds& needs);
+    /// The uniforms of passes/surface.glsl and the side that is drawn.
+    void set_surface(Job& job, gl::Program& program, const Material& material);
+    /// The uniforms of passes/lighting.glsl; shadow maps are bound to units 6 and 7.
+    void set_lighting(Job& job, gl::Program& program);
+    /// The layers of a shadow map, one a view.
+    void draw_shadows(Job& job, Target map, const std::vector<ShadowView>& views);
+    /// Blended triangles of materials at least that opaque, the furthest first.
+    void draw_blended(Job& job, gl::Program& program, float least_opacity);
 
     /// Makes `targets` the colour outputs 0, 1, ... (those that the plan has not are skipped), and
-    /// the visibility buffer the depth that is tested.
-    void attach(Job& job, const std::vector<Target>& targets);
+    /// `visibility` the depth that is tested.
+    void attach(Job& job, const std::vector<Target>& targets,
+                Target visibility = Target::kVisibility);
     /// Draws over the whole image, at the far plane, where the visibility buffer passes the test:
     /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
     void full_screen(gl::Program& program, GLenum test);

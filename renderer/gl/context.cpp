@@ -5,6 +5,8 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -111,6 +113,15 @@ HeadlessContext::~HeadlessContext() {
 }
 
 std::string gpu_renderer() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+
+bool is_software_renderer() {
+    const std::string name = gpu_renderer();
+    constexpr std::string_view kNames[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                           "Software Rasterizer"};
+    return std::any_of(std::begin(kNames), std::end(kNames), [&name](std::string_view known) {
+        return name.find(known) != std::string::npos;
+    });
+}
 
 std::string gpu_description() {
     return gpu_renderer() + ", " + reinterpret_cast<const char*>(glGetString(GL_VERSION));

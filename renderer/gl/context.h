@@ -25,6 +25,10 @@ class HeadlessContext {
 /// GL_RENDERER of the current context.
 [[nodiscard]] std::string gpu_renderer();
 
+/// Whether the current context renders on the CPU (llvmpipe, softpipe, SwiftShader), where the
+/// driver's timers are wrong.
+[[nodiscard]] bool is_software_renderer();
+
 /// GL_RENDERER and GL_VERSION, one line; the driver's version may change an image.
 [[nodiscard]] std::string gpu_description();
 

@@ -69,6 +69,14 @@ struct VertexArrayTraits {
     }
     static void remove(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
+struct QueryTraits {
+    static GLuint make(GLenum target) {
+        GLuint name = 0;
+        glCreateQueries(target, 1, &name);
+        return name;
+    }
+    static void remove(GLuint name) { glDeleteQueries(1, &name); }
+};
 struct ShaderTraits {
     static GLuint make(GLenum stage) { return glCreateShader(stage); }
     static void remove(GLuint name) { glDeleteShader(name); }
@@ -83,6 +91,7 @@ using Buffer = Handle<BufferTraits>;
 using Framebuffer = Handle<FramebufferTraits>;
 using VertexArray = Handle<VertexArrayTraits>;
 using Shader = Handle<ShaderTraits>;
+using Query = Handle<QueryTraits>;
 using ProgramName = Handle<ProgramTraits>;
 
 }  // namespace obscura::renderer::gl

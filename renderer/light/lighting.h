@@ -35,7 +35,8 @@ struct PointLight {
 enum class ToneCurve {
     kReinhard,  ///< Reinhard et al. 2002, equation 4, on luminance
     kFilmic,    ///< Hable 2010 (Uncharted 2), on each channel
-    kAces,      ///< Narkowicz 2016, fit to the ACES reference, on each channel
+    kAces,      ///< Narkowicz 2016, fit to the ACES reference, on each channel; `white` has no part
+    kClip,      ///< none: values above 1 are clipped
 };
 
 /// Tone mapping of a scene.

@@ -8,6 +8,14 @@
 #include <limits>
 
 namespace obscura::renderer {
+namespace {
+
+/// From [-1, 1] to [0, 1] in all three directions.
+glm::mat4 unit_from_clip() {
+    return glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)), glm::vec3(0.5F));
+}
+
+}  // namespace
 
 Bounds bounds_of(const Scene& scene) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -56,10 +64,29 @@ ShadowView shadow_view(const Bounds& bounds, const DirectionalLight& light, int 
                    -high.z - room_m, -low.z + room_m);
     ShadowView view;
     view.clip_from_world = clip_from_light * light_from_world;
-    const glm::mat4 unit_from_clip =
-        glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)), glm::vec3(0.5F));
-    view.shadow_from_world = unit_from_clip * view.clip_from_world;
+    view.shadow_from_world = unit_from_clip() * view.clip_from_world;
     view.texel_m = 2.0F * half_m / static_cast<float>(size);
+    return view;
+}
+
+ShadowView point_shadow_view(const Bounds& bounds, const PointLight& light, int side) {
+    static const glm::vec3 kAlong[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                       {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+    const glm::vec3 along = kAlong[side];
+    const glm::vec3 up = along.y != 0.0F ? glm::vec3(0.0F, 0.0F, 1.0F) : glm::vec3(0, 1, 0);
+    const glm::vec3 reach_m = glm::max(glm::abs(bounds.low_m - light.position_m),
+                                       glm::abs(bounds.high_m - light.position_m));
+    const float far_m = std::max(1.01F * glm::length(reach_m), 1e-3F);
+    const float near_m = std::min(1e-3F * far_m, 1e-3F);
+    // A border of four texels beyond the quarter turn keeps the filter inside the map.
+    const float tangent = 1.0F / (1.0F - 8.0F / static_cast<float>(kPointShadowSize));
+    const glm::mat4 clip_from_light =
+        glm::perspective(2.0F * std::atan(tangent), 1.0F, near_m, far_m);
+    ShadowView view;
+    view.clip_from_world =
+        clip_from_light * glm::lookAt(light.position_m, light.position_m + along, up);
+    view.shadow_from_world = unit_from_clip() * view.clip_from_world;
+    view.texel_m = 2.0F * tangent / static_cast<float>(kPointShadowSize);
     return view;
 }
 

@@ -29,4 +29,12 @@ struct ShadowView {
 };
 [[nodiscard]] ShadowView shadow_view(const Bounds& bounds, const DirectionalLight& light, int size);
 
+/// Texels along each side of a point light's shadow cube.
+inline constexpr int kPointShadowSize = 1024;
+
+/// One side of the cube around a point light: +X -X +Y -Y +Z -Z for side 0 to 5. texel_m is the
+/// width of a texel at a distance of 1 m. The furthest corner of the scene lies within; what is
+/// nearer than a thousandth of that, or of a metre, is not seen.
+[[nodiscard]] ShadowView point_shadow_view(const Bounds& bounds, const PointLight& light, int side);
+
 }  // namespace obscura::renderer

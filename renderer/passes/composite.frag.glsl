@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-// Jakobsen 2010, equation 5: accessibility scales the ambient term and nothing else.
+// Jakobsen 2010, equation 5: accessibility scales the ambient term and nothing else. Accessibility
+// that was baked into a material does the same.
 #include "passes/display.glsl"
 
 uniform sampler2D t_albedo;
@@ -12,8 +13,11 @@ uniform sampler2D t_ambient;
 #else
 uniform vec3 u_ambient;
 #endif
-#ifdef LIGHTS
+#ifdef DIRECT
 uniform sampler2D t_direct;
+#endif
+#ifdef EMISSION
+uniform sampler2D t_emission;
 #endif
 layout(location = 0) out vec4 o_color;
 
@@ -28,7 +32,11 @@ void main() {
 #ifdef ACCESSIBILITY
     light *= clamp(texelFetch(t_accessibility, here, 0).r, 0.0, 1.0);
 #endif
-#ifdef LIGHTS
+#ifdef EMISSION
+    vec4 emission = texelFetch(t_emission, here, 0);
+    light *= emission.a;
+#endif
+#ifdef DIRECT
     vec4 direct = texelFetch(t_direct, here, 0);
     light += direct.rgb;
 #endif
@@ -36,7 +44,10 @@ void main() {
 #ifdef SPECULAR
     color += albedo.a * direct.a;
 #endif
-#ifdef TONE_MAPPING
+#ifdef EMISSION
+    color += emission.rgb;
+#endif
+#ifdef HDR
     o_color = vec4(color, 1.0);
 #else
     o_color = vec4(encode_srgb(color), 1.0);

@@ -21,7 +21,7 @@ out vec3 v_normal;
 #ifdef NORMAL_MAPPING
 out vec4 v_tangent;
 #endif
-#if defined(TEXTURES) || defined(NORMAL_MAPPING)
+#ifdef UV
 out vec2 v_uv;
 #endif
 
@@ -35,7 +35,7 @@ void main() {
 #ifdef NORMAL_MAPPING
     v_tangent = vec4(mat3(u_view) * a_tangent.xyz, a_tangent.w);
 #endif
-#if defined(TEXTURES) || defined(NORMAL_MAPPING)
+#ifdef UV
     v_uv = a_uv;
 #endif
     gl_Position = u_projection * view_position;

@@ -13,26 +13,34 @@
 
 namespace obscura::renderer {
 
-/// How much a surface at distance t < R occludes: all of it, 1 - t/R, or 1 - (t/R)^2.
+class RayScene;
+
+/// How much a surface at distance t < R occludes: wholly, by 1 - t/R, or by 1 - (t/R)^2.
 enum class Falloff { kNone, kLinear, kQuadratic };
 
-/// Whose hemisphere is sampled: the triangle's, or that of the interpolated vertex normals.
+/// Whose hemisphere is sampled: the triangle's, or that of the interpolated vertex normals. Either
+/// is turned as the rasteriser does, towards the camera. Directions of the shading hemisphere that
+/// lie below the triangle's own plane lead into the surface and count as occluded at distance 0.
 enum class NormalKind { kGeometric, kShading };
 
 struct ReferenceOptions {
-    double radius_m = 1.0;  ///< > 0; infinity: no limit
-    int rays = 256;         ///< a pixel, 1 to 65536
+    double radius_m = 1.0;  ///< > 0; infinity: no limit, with Falloff::kNone only
+    int rays = 256;         ///< a pixel, 1 to kMostReferenceRays
     std::uint64_t seed = 1;
     Falloff falloff = Falloff::kNone;
     NormalKind normal = NormalKind::kGeometric;
+    int threads = 0;  ///< 0: one a core. The image does not depend on it.
 };
+inline constexpr int kMostReferenceRays = 65536;
 
 /// Ray-traced accessibility; upper row first.
 struct ReferenceImage {
     int width = 0;
     int height = 0;
-    std::vector<float> accessibility;   ///< [0, 1]; exactly 1 where the camera sees nothing
-    std::vector<float> standard_error;  ///< of each value
+    std::vector<float> accessibility;  ///< [0, 1]; exactly 1 where the camera sees nothing
+    /// Of each value, from the spread between independently scrambled parts of a pixel's rays (8
+    /// from 32 rays on); 0 where the camera sees nothing; 0.5, the most there can be, for 1 ray.
+    std::vector<float> standard_error;
     std::vector<float> depth_m;  ///< view depth of the exact intersection; kBackgroundDepth_m
 };
 
@@ -41,17 +49,22 @@ struct ReferenceImage {
 using ReferenceProgress = std::function<bool(double)>;
 
 /// A scene's triangles in a bounding volume hierarchy, built once for any number of images. Keeps
-/// what it needs of the scene: `scene` may go away afterwards.
+/// what it needs of the scene: `scene` may go away afterwards. Every triangle occludes from both
+/// sides; the camera sees what the rasteriser draws. Cut-out surfaces have their holes, blended
+/// ones are left out.
 class ReferenceScene {
   public:
+    /// Triangles without area or with coordinates that are not finite are left out and counted in
+    /// the log. Throws bad input for an index, material or texture that is out of range, and for a
+    /// scene in which no triangle is left.
     explicit ReferenceScene(const Scene& scene);
     ~ReferenceScene();
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
 
-    /// Accessibility within R at what each pixel's middle shows, on
-    /// all cores; the same for a seed whatever the number of threads. Throws bad input for a
-    /// radius, number of rays, camera or size that is not allowed, failure when stopped.
+    /// Accessibility within R at what each pixel's middle shows; the same for a seed whatever the
+    /// number of threads. Width and height are 1 to 16384. Throws bad input for a radius, number of
+    /// rays, camera or size that is not allowed, failure when stopped.
     [[nodiscard]] ReferenceImage trace(const Camera& camera, int width, int height,
                                        const ReferenceOptions& options,
                                        const ReferenceProgress& progress = {}) const;
@@ -59,10 +72,18 @@ class ReferenceScene {
     /// SHA-256 of the geometry and the coverage of its surfaces: the cache's key.
     [[nodiscard]] const std::string& geometry_sha256() const;
 
+    /// Triangles that were left out because they have no area or are not finite.
+    [[nodiscard]] std::size_t skipped_triangles() const;
+
+    /// What is behind it, for the benchmark.
+    [[nodiscard]] const RayScene& rays() const { return *rays_; }
+
   private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<RayScene> rays_;
 };
+
+/// Throws bad input naming the option, its value and what is allowed.
+void check_options(const ReferenceOptions& options);
 
 /// trace(), kept in `folder` under a hash of geometry, camera, size and options, so that it is paid
 /// once. A damaged file is noticed, named in the log and made again.

@@ -73,6 +73,8 @@ struct Camera {
     float vertical_fov_rad = 0.8F;  ///< (0, pi)
     float near_m = 0.05F;           ///< > 0
     float far_m = 100.0F;           ///< > near_m; also what `crytek` divides depth by
+    glm::vec2 lens_shift{0.0F};  ///< off-centre frustum: where the view axis is not, in half widths
+                                 ///< and heights of the image; (1, 0) puts it on the left border
 };
 
 /// Geometry, surfaces and views. Light is not part of it: the same scene serves several levels.

@@ -3,20 +3,11 @@
 // Jakobsen 2010, Appendix A, after Kajalin 2009: texture space, depth only. Its artefacts are kept:
 // a wall that faces the camera has 0.75, convex edges are brighter, near pillars darken a far wall.
 #include "passes/view.glsl"
+#include "technique/rotation.glsl"
 #include "technique/sampling.glsl"
 
 uniform float p_offset_scale;
 uniform float u_far_m;
-
-// The rotation that takes +Z to the unit vector r; orthonormal for every r, -Z included
-// (Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3).
-mat3 rotation_to(vec3 r) {
-    float s = r.z >= 0.0 ? 1.0 : -1.0;
-    float a = -1.0 / (s + r.z);
-    float b = r.x * r.y * a;
-    return mat3(vec3(1.0 + s * r.x * r.x * a, s * b, -s * r.x), vec3(b, s + r.y * r.y * a, -r.y),
-                r);
-}
 
 float accessibility(vec2 uv, float z) {
     mat3 rotation = rotation_to(random_vector());
@@ -33,7 +24,11 @@ float accessibility(vec2 uv, float z) {
         sum += ds >= 1.0 ? 1.0 : mix(ds > point.z ? 1.0 : 0.0, 0.5, clamp(d - ds, 0.0, 1.0));
     }
     float mean = sum / float(SAMPLES);
+#ifdef UNCLAMPED
+    return mean * mean + mean;
+#else
     return clamp(mean * mean + mean, 0.0, 1.0);
+#endif
 }
 
 #include "passes/accessibility.glsl"

@@ -60,6 +60,15 @@ double TechniqueChoice::value_of(const Parameter& parameter) const {
     return set != parameters.end() ? set->second : parameter.standard;
 }
 
+int fetches_per_pixel(const TechniqueChoice& choice) {
+    const Technique* technique = find_technique(choice.technique);
+    const Denoise* denoise = find_denoise(choice.denoise);
+    if (technique == nullptr || technique->shader.empty()) return 0;
+    const int each = technique->fetches_per_sample + (technique->reads_normal ? 1 : 0);
+    const int once = 2 + (technique->reads_normal ? 1 : 0);
+    return choice.samples * each + once + (denoise != nullptr ? denoise->fetches : 0);
+}
+
 std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice) {
     std::vector<ChoiceProblem> problems;
     const Technique* technique = find_technique(choice.technique);
@@ -71,6 +80,11 @@ std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice) {
     if (find_denoise(choice.denoise) == nullptr) {
         problems.push_back({"denoise", fmt::format("\"{}\" is unknown; allowed are {}",
                                                    choice.denoise, names_of(denoise_filters()))});
+    }
+    if (choice.depth_format != "r32f" && choice.depth_format != "r16f") {
+        problems.push_back(
+            {"depth_format",
+             fmt::format("\"{}\" is unknown; allowed are r32f, r16f", choice.depth_format)});
     }
     for (const auto& [name, value] : choice.parameters) {
         const Parameter* parameter = technique->find_parameter(name);

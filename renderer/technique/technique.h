@@ -55,6 +55,8 @@ struct TechniqueChoice {
     int samples = 0;
     std::map<std::string, double> parameters;
     std::string denoise = "none";
+    std::string depth_format = "r32f";  ///< of the depth buffer: r32f or r16f
+    bool unclamped = false;  ///< for checks: what is not a number is not clamped away at the end
 
     /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
     [[nodiscard]] std::string variant_name() const;
@@ -62,10 +64,15 @@ struct TechniqueChoice {
     [[nodiscard]] double value_of(const Parameter& parameter) const;
 };
 
+/// The most texture reads that one pixel may make for accessibility and filter: for each sample its
+/// depths and its point of the kernel, once the pixel's own depth, normal and rotation, and what
+/// the filter reads.
+[[nodiscard]] int fetches_per_pixel(const TechniqueChoice& choice);
+
 /// Everything wrong with a choice, one sentence each naming the key, the value and what is allowed;
 /// empty when it can be rendered.
 struct ChoiceProblem {
-    std::string key;      ///< technique, samples, denoise or a parameter's name
+    std::string key;      ///< technique, samples, denoise, depth_format or a parameter's name
     std::string message;  ///< value met and what is allowed
 };
 [[nodiscard]] std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice);

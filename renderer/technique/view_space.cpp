@@ -12,6 +12,9 @@ std::vector<Parameter> view_space_parameters() {
          0.02},
         {"no_threshold_m", "A depth difference above this does not occlude", "m", 0.0, 10000.0,
          2.0},
+        {"depth_scale_per_m",
+         "Factor of a depth difference before its curve: scale it with the scene's units", "1/m",
+         0.0, 1.0e9, 1.0},
         {"power", "Exponent of the accessibility of one occluded sample", "", 0.0, 10000.0, 16.0},
     };
 }

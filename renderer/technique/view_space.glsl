@@ -8,6 +8,7 @@
 uniform float p_radius_m;
 uniform float p_full_threshold_m;
 uniform float p_no_threshold_m;
+uniform float p_depth_scale_per_m;
 uniform float p_power;
 uniform sampler2D t_normal;
 uniform sampler2D t_kernel;  // SAMPLES x 1 points in the unit ball, lengths from half to full
@@ -19,10 +20,20 @@ vec3 sample_offset(int i, vec3 r, vec3 n) {
 }
 
 // How much nearer to the camera than P the surface at S's pixel is, in metres; never negative.
-float depth_difference(vec3 s, float z) { return max(0.0, z - depth_at(project_to_image(s))); }
+float depth_difference(vec3 s, float z) {
+    float difference = z - depth_at(project_to_image(s));
+#ifdef UNCLAMPED
+    if (isnan(difference)) return difference;
+#endif
+    return max(0.0, difference);
+}
 
 // Accessibility of one sample from its depth difference.
 float sample_accessibility(float delta) {
+#ifdef UNCLAMPED
+    if (isnan(delta)) return delta;
+#endif
     if (delta < p_full_threshold_m || delta > p_no_threshold_m) return 1.0;
-    return pow(1.0 / (1.0 + delta * delta), p_power);
+    float scaled = delta * p_depth_scale_per_m;
+    return pow(1.0 / (1.0 + scaled * scaled), p_power);
 }

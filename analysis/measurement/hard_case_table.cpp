@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/measurement/hard_case_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/csv.h"
+#include "analysis/text.h"
+
+namespace obscura::analysis {
+namespace {
+
+std::string number(double value) {
+    return std::isfinite(value) ? shortest(value) : fmt::format("{}", value);
+}
+
+}  // namespace
+
+std::string to_string(Holds holds) {
+    switch (holds) {
+        case Holds::kYes:
+            return "yes";
+        case Holds::kByNature:
+            return "by nature";
+        case Holds::kNo:
+            return "no";
+    }
+    return "";
+}
+
+HardCaseCount count_of(const std::vector<HardCaseRow>& rows) {
+    HardCaseCount count;
+    for (const HardCaseRow& row : rows) {
+        ++(row.holds == Holds::kYes        ? count.yes
+           : row.holds == Holds::kByNature ? count.by_nature
+                                           : count.no);
+    }
+    return count;
+}
+
+std::string hard_cases_csv(const std::vector<HardCaseRow>& rows) {
+    std::string text = csv_line(
+        {"case", "technique", "quantity", "expected", "measured", "tolerance", "holds", "note"});
+    for (const HardCaseRow& row : rows) {
+        text +=
+            csv_line({row.name, row.technique, row.quantity, number(row.expected),
+                      number(row.measured), number(row.tolerance), to_string(row.holds), row.note});
+    }
+    return text;
+}
+
+std::string hard_cases_in_a_sentence(const std::vector<HardCaseRow>& rows) {
+    const HardCaseCount count = count_of(rows);
+    return fmt::format(
+        "{} hard cases: {} hold, {} do not by the nature of the technique, {} do not without a "
+        "reason.",
+        rows.size(), count.yes, count.by_nature, count.no);
+}
+
+}  // namespace obscura::analysis

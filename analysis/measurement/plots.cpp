@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/measurement/plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "analysis/measurement/pareto.h"
+#include "analysis/text.h"
+
+namespace obscura::analysis {
+namespace {
+
+/// Okabe and Ito's colours, in an order that keeps neighbours apart.
+constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                              "#E69F00", "#56B4E9", "#000000", "#999999"};
+
+/// A text as gnuplot takes it in double quotes, with no letter that means something there.
+std::string quoted(const std::string& text) {
+    std::string safe;
+    for (const char letter : text) {
+        const bool plain = static_cast<unsigned char>(letter) >= ' ' && letter != '"' &&
+                           letter != '\\' && letter != '`' && letter != '$';
+        safe += plain ? letter : ' ';
+    }
+    return '"' + safe + '"';
+}
+
+std::string file_stem(std::string text) {
+    for (char& letter : text) {
+        const bool safe = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                          (letter >= '0' && letter <= '9');
+        if (!safe) letter = '-';
+    }
+    return text;
+}
+
+struct Point {
+    double ms;
+    double rmse;
+    int samples;
+    std::string label;  ///< the variant's name where the study shows it
+};
+
+/// A row without cost, as `none`, has no place on log axes.
+std::vector<Point> points_of(const std::vector<MeasurementRow>& rows, const std::string& technique,
+                             const std::string& blur, bool fitted) {
+    std::vector<Point> points;
+    for (const MeasurementRow& row : rows) {
+        if (row.technique != technique || row.blur != blur || row.fitted != fitted) continue;
+        if (!row.error.has_value() || !(row.cost.median_ms > 0.0) || !(row.error->rmse > 0.0)) {
+            continue;
+        }
+        points.push_back({row.cost.median_ms, row.error->rmse, row.samples,
+                          row.published.empty() ? "" : row.variant});
+    }
+    std::sort(points.begin(), points.end(),
+              [](const Point& a, const Point& b) { return a.samples < b.samples; });
+    return points;
+}
+
+/// Blocks of one data file, each named for `index`.
+class Blocks {
+  public:
+    void add(const std::string& name, const std::vector<std::string>& lines) {
+        if (!text_.empty()) text_ += "\n\n";
+        text_ += "# " + name + '\n';
+        for (const std::string& line : lines) text_ += line + '\n';
+    }
+    [[nodiscard]] std::string take() { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+std::vector<std::string> lines_of(const std::vector<Point>& points) {
+    std::vector<std::string> lines;
+    for (const Point& point : points) {
+        lines.push_back(
+            fmt::format("{}\t{}\t{}", shortest(point.ms), shortest(point.rmse), point.samples));
+    }
+    return lines;
+}
+
+/// Every technique's line, the front, the rings: what is plotted, and the data that it reads.
+class ErrorOverTime {
+  public:
+    ErrorOverTime(const std::vector<MeasurementRow>& rows, const std::string& blur,
+                  std::string file)
+        : rows_(rows), blur_(blur), file_(std::move(file)) {}
+
+    [[nodiscard]] Plot draw() {
+        std::vector<std::string> techniques;
+        for (const MeasurementRow& row : rows_) {
+            if (std::find(techniques.begin(), techniques.end(), row.technique) ==
+                techniques.end()) {
+                techniques.push_back(row.technique);
+            }
+        }
+        for (std::size_t i = 0; i < techniques.size(); ++i) {
+            const char* colour = kColours[i % kColours.size()];
+            add_line(techniques[i], false, colour);
+            add_line(techniques[i], true, colour);
+        }
+        add_front();
+        add_rings();
+        curves_.push_back(fmt::format("{} with lines lc rgb \"#999999\" dt 3 title {}",
+                                      shortest(eight_bit_rmse()), quoted("8-bit rounding")));
+        Plot plot;
+        plot.script = fmt::format(
+            "set logscale xy\nset xlabel \"median time of accessibility and filter (ms)\"\n"
+            "set ylabel \"RMSE against the ray-traced truth (accessibility, 0 to 1)\"\n"
+            "set key outside right top\nset grid xtics ytics lc rgb \"#dddddd\"\n"
+            "set format y \"%g\"\nset format x \"%g\"\nset offsets graph 0.05, 0.1, 0.1, 0.05\n"
+            "plot {}\n",
+            fmt::join(curves_, ", \\\n     "));
+        plot.data.push_back({file_, blocks_.take()});
+        return plot;
+    }
+
+  private:
+    void add_curve(const std::string& block, const std::vector<std::string>& lines,
+                   const std::string& style, const std::string& title) {
+        if (lines.empty()) return;
+        blocks_.add(block, lines);
+        curves_.push_back(fmt::format("\"{}\" index \"{}\" {} {}", file_, block, style,
+                                      title.empty() ? "notitle" : "title " + quoted(title)));
+    }
+
+    void add_line(const std::string& technique, bool fitted, const char* colour) {
+        const std::vector<Point> points = points_of(rows_, technique, blur_, fitted);
+        add_curve(technique + (fitted ? "_fitted" : "_published"), lines_of(points),
+                  fmt::format("using 1:2 with linespoints lc rgb \"{}\" lw 2 pt {} ps 0.6 dt {}",
+                              colour, fitted ? 6 : 7, fitted ? 2 : 1),
+                  technique + (fitted ? ", fitted" : ""));
+    }
+
+    void add_front() {
+        std::vector<CostAndError> all;
+        for (const MeasurementRow& row : rows_) {
+            if (row.error.has_value() && row.cost.median_ms > 0.0 && row.error->rmse > 0.0) {
+                all.push_back({row.cost.median_ms, row.error->rmse});
+            }
+        }
+        std::vector<std::string> lines;
+        for (const CostAndError& choice : pareto_front(all)) {
+            lines.push_back(fmt::format("{}\t{}", shortest(choice.cost), shortest(choice.error)));
+        }
+        add_curve("front", lines, "using 1:2 with fsteps lc rgb \"#000000\" lw 1",
+                  "Pareto front, all filters");
+    }
+
+    void add_rings() {
+        std::vector<std::string> lines;
+        std::set<std::string> named;
+        for (const MeasurementRow& row : rows_) {
+            const bool drawn = !row.published.empty() && !row.fitted && row.blur == blur_ &&
+                               row.error.has_value() && row.cost.median_ms > 0.0 &&
+                               row.error->rmse > 0.0;
+            if (!drawn || !named.insert(row.variant).second) continue;
+            lines.push_back(fmt::format("{}\t{}\t{}", shortest(row.cost.median_ms),
+                                        shortest(row.error->rmse), file_stem(row.variant)));
+        }
+        if (lines.empty()) return;
+        add_curve("shown", lines, "using 1:2 with points pt 6 ps 2 lw 2 lc rgb \"#000000\"",
+                  "shown in the study");
+        curves_.push_back(fmt::format(
+            "\"{}\" index \"shown\" using 1:2:3 with labels offset 0,1.1 font \",10\" notitle",
+            file_));
+    }
+
+    const std::vector<MeasurementRow>& rows_;
+    const std::string& blur_;
+    std::string file_;
+    Blocks blocks_;
+    std::vector<std::string> curves_;
+};
+
+}  // namespace
+
+double eight_bit_rmse() { return 1.0 / (255.0 * std::sqrt(12.0)); }
+
+Plot error_over_time(const std::vector<MeasurementRow>& rows, const std::string& blur) {
+    const std::string view = rows.empty() ? "nothing" : view_name(rows.front());
+    const std::string name =
+        "error-over-time-" + file_stem(rows.empty()
+                                           ? view
+                                           : rows.front().scene + ' ' + rows.front().camera + ' ' +
+                                                 rows.front().validity);
+    Plot plot = ErrorOverTime(rows, blur, name + ".dat").draw();
+    plot.name = name;
+    plot.title = fmt::format("Speed against error: {} (filter: {})", view, blur);
+    return plot;
+}
+
+Plot growth_plot(const std::vector<Growth>& growths, const std::string& quantity) {
+    Plot plot;
+    plot.name = "growth-" + file_stem(quantity);
+    plot.title = "Time of the accessibility pass over " + quantity;
+    const std::string file = plot.name + ".dat";
+    Blocks blocks;
+    std::vector<std::string> curves;
+    for (const Growth& growth : growths) {
+        if (growth.quantity != quantity) continue;
+        std::vector<std::string> lines;
+        for (std::size_t i = 0; i < growth.x.size(); ++i) {
+            lines.push_back(shortest(growth.x[i]) + '\t' + shortest(growth.ms[i]));
+        }
+        blocks.add(growth.technique, lines);
+        const std::string title =
+            growth.law.has_value()
+                ? fmt::format("{}: exponent {:.2f} ({:.2f} to {:.2f})", growth.technique,
+                              growth.law->exponent, growth.law->low, growth.law->high)
+                : growth.technique;
+        curves.push_back(fmt::format(
+            "\"{}\" index \"{}\" using 1:2 with linespoints lc rgb \"{}\" lw 2 pt 7 ps 0.6 title "
+            "{}",
+            file, growth.technique, kColours[curves.size() % kColours.size()], quoted(title)));
+    }
+    plot.script = fmt::format(
+        "set logscale xy\nset xlabel {}\nset ylabel \"median time (ms)\"\nset key left top\n"
+        "set grid xtics ytics lc rgb \"#dddddd\"\nset format y \"%g\"\nplot {}\n",
+        quoted(quantity),
+        curves.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(curves, ", ")));
+    plot.data.push_back({file, blocks.take()});
+    return plot;
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/measurement/report.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv.h"
+#include "analysis/measurement/order_of_techniques.h"
+#include "analysis/report/html.h"
+#include "analysis/text.h"
+#include "renderer/base/files.h"
+
+namespace obscura::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The rows of each view, in the order in which the views first come.
+std::vector<std::vector<MeasurementRow>> by_view(const std::vector<MeasurementRow>& rows) {
+    std::vector<std::vector<MeasurementRow>> views;
+    for (const MeasurementRow& row : rows) {
+        const auto view = std::find_if(views.begin(), views.end(), [&](const auto& held) {
+            return same_view(held.front(), row);
+        });
+        if (view == views.end()) {
+            views.push_back({row});
+        } else {
+            view->push_back(row);
+        }
+    }
+    return views;
+}
+
+std::string cell(const Possible<AccessibilityError>& error, double AccessibilityError::*member) {
+    return error.has_value() ? fmt::format("{:.4f}", (*error).*member) : "-";
+}
+
+/// Few columns, for people.
+Table table_of(const std::vector<MeasurementRow>& rows) {
+    Table table;
+    table.headings = {"variant",
+                      "filter",
+                      "values",
+                      "AO ms",
+                      "filter ms",
+                      "frame ms",
+                      "fetches/px",
+                      "RMSE",
+                      "bias",
+                      "p99",
+                      "RMSE inside",
+                      "image RMSE",
+                      "seen to differ (Yee)",
+                      "front"};
+    for (const MeasurementRow& row : rows) {
+        table.rows.push_back(
+            {row.variant, row.blur + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
+             row.fitted ? "fitted" : "published",
+             fmt::format("{:.2f}", row.accessibility.median_ms),
+             fmt::format("{:.2f}", row.denoise.median_ms),
+             fmt::format("{:.2f}", row.frame.median_ms), std::to_string(row.fetches_per_px),
+             cell(row.error, &AccessibilityError::rmse), cell(row.error, &AccessibilityError::bias),
+             cell(row.error, &AccessibilityError::p99),
+             cell(row.interior, &AccessibilityError::rmse),
+             row.image ? fmt::format("{:.4f}", row.image->rmse) : "-",
+             row.image ? fmt::format("{:.1f} %", 100.0 * row.image->yee_failed) : "-",
+             row.on_front ? "yes" : ""});
+    }
+    return table;
+}
+
+/// The settings that the study shows, and what they become when fitted.
+std::vector<MeasurementRow> shown_in_study(const std::vector<MeasurementRow>& rows) {
+    std::vector<MeasurementRow> shown;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
+                 [](const MeasurementRow& row) { return !row.published.empty(); });
+    return shown;
+}
+
+Table hard_case_table(const std::vector<HardCaseRow>& rows, Holds wanted) {
+    Table table;
+    table.headings = {"case", "technique", "quantity", "expected", "measured", "tolerance", "note"};
+    for (const HardCaseRow& row : rows) {
+        if (row.holds != wanted) continue;
+        table.rows.push_back(
+            {row.name, row.technique, row.quantity, fmt::format("{:.6g}", row.expected),
+             fmt::format("{:.6g}", row.measured), fmt::format("{:.3g}", row.tolerance), row.note});
+    }
+    return table;
+}
+
+Table fitted_table(const std::vector<Fitted>& fitted) {
+    Table table;
+    table.headings = {"scene",  "variant",     "trained on", "published",
+                      "fitted", "RMSE before", "RMSE after", "evaluations"};
+    const auto listed = [](const std::map<std::string, double>& parameters) {
+        std::string text;
+        for (const auto& [name, value] : parameters) {
+            text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", name, value);
+        }
+        return text;
+    };
+    for (const Fitted& fit : fitted) {
+        table.rows.push_back(
+            {fit.scene, fit.technique + std::to_string(fit.samples),
+             fmt::format("{}", fmt::join(fit.training_cameras, ", ")), listed(fit.before),
+             listed(fit.after), fmt::format("{:.4f}", fit.training_rmse_before),
+             fmt::format("{:.4f}", fit.training_rmse_after), std::to_string(fit.evaluations)});
+    }
+    return table;
+}
+
+/// Writes files one after the other and remembers them.
+class Folder {
+  public:
+    explicit Folder(fs::path folder) : folder_(std::move(folder)) {}
+
+    void write(const std::string& name, const std::string& text) {
+        base::write_file_atomically(folder_ / name, text);
+        written_.push_back(folder_ / name);
+    }
+
+    /// Draws, and puts the drawing or the reason why there is none on the page.
+    void draw_on(Page& page, const Plot& plot) {
+        const DrawnPlot drawn = draw(plot, folder_, true);
+        if (drawn.note.empty()) {
+            page.svg(drawn.svg, plot.name + ".svg", plot.title);
+            written_.push_back(folder_ / (plot.name + ".svg"));
+        } else {
+            page.paragraph(plot.title + ": " + drawn.note);
+        }
+    }
+
+    void draw_picture_on(Page& page, const Plot& plot) {
+        const DrawnPlot drawn = draw(plot, folder_, true);
+        const fs::path picture = folder_ / (plot.name + ".png");
+        if (drawn.note.empty() && fs::exists(picture)) {
+            page.image(base::read_file(picture), "image/png", plot.name + ".png", plot.title);
+            written_.push_back(picture);
+        } else {
+            page.paragraph(plot.title + ": " + drawn.note);
+        }
+    }
+
+    [[nodiscard]] std::vector<fs::path> take() { return std::move(written_); }
+
+  private:
+    fs::path folder_;
+    std::vector<fs::path> written_;
+};
+
+void put_speed_and_error(const MeasurementReport& report, Page& page, Folder& folder) {
+    if (report.rows.empty()) return;
+    const std::vector<OrderOfTechniques> orders = orders_of_techniques(report.rows, report.blur);
+    page.heading("Does accuracy order the techniques as the thesis assumes?");
+    page.paragraph(order_in_a_sentence(orders));
+    std::vector<std::string> sentences;
+    for (const OrderOfTechniques& order : orders) sentences.push_back(order.sentence);
+    if (!sentences.empty()) page.list(sentences);
+    page.heading("Speed against error");
+    for (const auto& rows : by_view(report.rows)) {
+        page.heading(view_name(rows.front()), 3);
+        folder.draw_on(page, error_over_time(rows, report.blur));
+        page.table(table_of(shown_in_study(rows)), "The settings that the study shows");
+    }
+}
+
+void put_details(const MeasurementReport& report, Page& page, Folder& folder) {
+    if (!report.maps.empty()) {
+        page.heading("Where the error is");
+        for (const ErrorMap& map : report.maps) folder.draw_picture_on(page, error_map(map));
+    }
+    if (!report.fitted.empty()) {
+        page.heading("Fitted values");
+        page.table(fitted_table(report.fitted));
+    }
+    if (!report.growth.empty()) {
+        page.heading("How cost grows");
+        std::vector<std::string> quantities;
+        for (const Growth& growth : report.growth) {
+            if (std::find(quantities.begin(), quantities.end(), growth.quantity) ==
+                quantities.end()) {
+                quantities.push_back(growth.quantity);
+            }
+        }
+        for (const std::string& quantity : quantities) {
+            folder.draw_on(page, growth_plot(report.growth, quantity));
+        }
+    }
+    if (!report.hard_cases.empty()) {
+        page.heading("Hard cases");
+        page.paragraph(hard_cases_in_a_sentence(report.hard_cases));
+        if (count_of(report.hard_cases).no > 0) {
+            page.table(hard_case_table(report.hard_cases, Holds::kNo),
+                       "These fail, and nothing explains it");
+        }
+        page.table(hard_case_table(report.hard_cases, Holds::kByNature),
+                   "These fail by the technique's own definition");
+        page.table(hard_case_table(report.hard_cases, Holds::kYes), "These hold");
+    }
+    if (!report.rows.empty()) {
+        page.heading("All measurements");
+        for (const auto& rows : by_view(report.rows)) {
+            page.table(table_of(rows), view_name(rows.front()));
+        }
+    }
+}
+
+std::string json_of(const MeasurementReport& report) {
+    nlohmann::ordered_json json;
+    json["title"] = report.title;
+    json["device"] = report.device;
+    json["timer_check"] = report.timer_check;
+    json["method"] = report.method;
+    const auto orders = orders_of_techniques(report.rows, report.blur);
+    json["order"] = order_in_a_sentence(orders);
+    json["orders"] = nlohmann::ordered_json::array();
+    for (const OrderOfTechniques& order : orders) {
+        json["orders"].push_back({{"view", order.view},
+                                  {"fitted", order.fitted},
+                                  {"by_error", order.by_error},
+                                  {"rmse", order.rmse},
+                                  {"as_assumed", order.as_assumed}});
+    }
+    json["rows"] = nlohmann::ordered_json::parse(measurement_json(report.rows));
+    return json.dump(2) + '\n';
+}
+
+}  // namespace
+
+std::string fitted_csv(const std::vector<Fitted>& fitted) {
+    std::string text =
+        csv_line({"scene", "technique", "samples", "blur", "parameter", "published", "fitted",
+                  "training_rmse_published", "training_rmse_fitted", "evaluations"});
+    for (const Fitted& fit : fitted) {
+        for (const auto& [name, value] : fit.after) {
+            text += csv_line({fit.scene, fit.technique, std::to_string(fit.samples), fit.blur, name,
+                              shortest(fit.before.at(name)), shortest(value),
+                              shortest(fit.training_rmse_before), shortest(fit.training_rmse_after),
+                              std::to_string(fit.evaluations)});
+        }
+    }
+    return text;
+}
+
+std::string report_text(const MeasurementReport& report) {
+    std::string text = report.title + '\n' + report.device + '\n';
+    if (!report.timer_check.empty()) text += report.timer_check + '\n';
+    if (!report.rows.empty()) {
+        text +=
+            fmt::format("\n{:<28} {:<15} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
+                        "variant", "values", "AO ms", "frame ms", "fetches", "RMSE", "bias", "p99");
+        for (const MeasurementRow& row : shown_in_study(report.rows)) {
+            text += fmt::format("{:<28} {:<15} {:<10} {:>9.2f} {:>9.2f} {:>8} {:>8} {:>8} {:>8}\n",
+                                view_name(row), row.variant, row.fitted ? "fitted" : "published",
+                                row.cost.median_ms, row.frame.median_ms, row.fetches_per_px,
+                                cell(row.error, &AccessibilityError::rmse),
+                                cell(row.error, &AccessibilityError::bias),
+                                cell(row.error, &AccessibilityError::p99));
+        }
+        const auto orders = orders_of_techniques(report.rows, report.blur);
+        text += '\n';
+        for (const OrderOfTechniques& order : orders) text += order.sentence + '\n';
+        text += order_in_a_sentence(orders) + '\n';
+    }
+    for (const Growth& growth : report.growth) {
+        text +=
+            growth.law.has_value()
+                ? fmt::format("{}: time grows with {} to the power {:.3f} ({:.3f} to {:.3f})\n",
+                              growth.technique, growth.quantity, growth.law->exponent,
+                              growth.law->low, growth.law->high)
+                : fmt::format("{}: {}: {}\n", growth.technique, growth.quantity, growth.law.reason);
+    }
+    if (!report.hard_cases.empty()) text += hard_cases_in_a_sentence(report.hard_cases) + '\n';
+    return text;
+}
+
+std::vector<fs::path> write_report(const MeasurementReport& report, const fs::path& folder_path) {
+    Folder folder(folder_path);
+    if (!report.rows.empty()) {
+        folder.write("measure.csv", measurement_csv(report.rows));
+        folder.write("measure.json", json_of(report));
+    }
+    if (!report.fitted.empty()) folder.write("fitted.csv", fitted_csv(report.fitted));
+    if (!report.growth.empty()) folder.write("growth.csv", growth_csv(report.growth));
+    if (!report.hard_cases.empty()) {
+        folder.write("hard-cases.csv", hard_cases_csv(report.hard_cases));
+    }
+    Page page(report.title);
+    page.paragraph("Rendered on: " + report.device);
+    if (!report.timer_check.empty()) page.paragraph(report.timer_check);
+    put_speed_and_error(report, page, folder);
+    put_details(report, page, folder);
+    page.heading("How it was measured");
+    page.list(report.method);
+    folder.write("measure.html", page.html());
+    return folder.take();
+}
+
+}  // namespace obscura::analysis

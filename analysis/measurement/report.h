@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/measurement/growth.h"
+#include "analysis/measurement/hard_case_table.h"
+#include "analysis/measurement/plots.h"
+#include "analysis/measurement/row.h"
+
+namespace obscura::analysis {
+
+/// What a fit of one technique to one scene found.
+struct Fitted {
+    std::string scene;
+    std::string technique;
+    int samples = 0;
+    std::string blur;
+    std::vector<std::string> training_cameras;
+    std::vector<std::string> reported_cameras;
+    std::map<std::string, double> before;  ///< parameters as published
+    std::map<std::string, double> after;
+    double training_rmse_before = 0.0;
+    double training_rmse_after = 0.0;
+    int evaluations = 0;
+};
+
+/// Everything that one run of a measurement found.
+struct MeasurementReport {
+    std::string title;
+    std::string device;
+    std::string timer_check;          ///< the self-check of timer against clock, in a sentence
+    std::vector<std::string> method;  ///< sizes, rays, runs: sentences
+    std::string blur;                 ///< filter of the lines in the plots
+    std::vector<MeasurementRow> rows;
+    std::vector<Fitted> fitted;
+    std::vector<ErrorMap> maps;
+    std::vector<Growth> growth;
+    std::vector<HardCaseRow> hard_cases;
+};
+
+/// Writes measure.csv, measure.json, hard-cases.csv, growth.csv and fitted.csv (each where there is
+/// something in it), the plots with their data and scripts, the error maps and measure.html, which
+/// holds all of it. Gives what was written, the page last. Where gnuplot draws nothing, tables come
+/// all the same and the page says why. Throws failure when a file cannot be written.
+std::vector<std::filesystem::path> write_report(const MeasurementReport& report,
+                                                const std::filesystem::path& folder);
+
+/// What measure prints: the sentences of the page, and a table of the settings that the study
+/// shows.
+[[nodiscard]] std::string report_text(const MeasurementReport& report);
+
+/// scene,technique,samples,blur,parameter,published,fitted and the training error: one row a
+/// parameter.
+[[nodiscard]] std::string fitted_csv(const std::vector<Fitted>& fitted);
+
+}  // namespace obscura::analysis

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// A surface that is seen through, lit as the others are, over what lies behind it (linear light). The
+// highlight is not thinned by the opacity.
+#include "passes/lighting.glsl"
+#include "passes/surface.glsl"
+
+#ifdef ACCESSIBILITY
+uniform sampler2D t_accessibility;
+uniform float u_occluding_opacity;
+#endif
+#ifndef ENVIRONMENT
+uniform vec3 u_ambient;
+#endif
+layout(location = 0) out vec4 o_color;
+
+void main() {
+    float alpha = clamp(surface_alpha(), 0.0, 1.0);
+    vec3 n = surface_normal();
+#ifdef ENVIRONMENT
+    vec3 light = irradiance(u_world_from_view * n);
+#else
+    vec3 light = u_ambient;
+#endif
+#ifdef ACCESSIBILITY
+    if (alpha >= u_occluding_opacity) {
+        light *= clamp(texelFetch(t_accessibility, ivec2(gl_FragCoord.xy), 0).r, 0.0, 1.0);
+    }
+#endif
+    vec3 added = vec3(0.0);
+#ifdef EMISSION
+    vec4 emission = surface_emission();
+    light *= emission.a;
+    added += emission.rgb * alpha;
+#endif
+#ifdef DIRECT
+    vec4 direct = direct_light(v_view_position, n, u_specular_power);
+    light += direct.rgb;
+#ifdef SPECULAR
+    added += u_specular_intensity * direct.a;
+#endif
+#endif
+    o_color = vec4(surface_albedo() * light * alpha + added, alpha);
+}
