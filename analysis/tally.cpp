@@ -133,7 +133,8 @@ Tally tally_trials(const std::string& source, const std::vector<SessionRecord>& 
     Places places;
     for (const TrialRecord& trial : trials) {
         const auto session = participant_of.find(trial.session_id);
-        if (trial.kind != kind || session == participant_of.end()) continue;
+        if (trial.kind != kind || session == participant_of.end() || !trial.repeats.empty())
+            continue;
         ConditionVotes& condition = entry_of(source, trial, places, tally.conditions);
         ++(trial.is_A_selected ? condition.votes.a : condition.votes.b);
         condition.answers.push_back(

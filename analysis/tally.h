@@ -45,11 +45,11 @@ struct Tally {
     Possible<OrderVotes> order = Possible<OrderVotes>::none("not counted");
 };
 
-/// Votes of the completed sessions of one kind (participant or simulated) of one study; practice
-/// and catch trials never count. `study` may be empty when there is only one. Conditions are in
-/// natural order of their names (C2 before C10). Throws bad input when no such session is there
-/// (saying what there is instead), when several studies are there and none is named, and when a
-/// condition has not the same variants, validity or hypothesis in all sessions.
+/// Votes of the completed sessions of one kind (participant or simulated) of one study; practice,
+/// catch and repeated trials never count. `study` may be empty when there is only one. Conditions
+/// are in natural order of their names (C2 before C10). Throws bad input when no such session is
+/// there (saying what there is instead), when several studies are there and none is named, and when
+/// a condition has not the same variants, validity or hypothesis in all sessions.
 [[nodiscard]] Tally tally_trials(const std::string& source,
                                  const std::vector<SessionRecord>& sessions,
                                  const std::vector<TrialRecord>& trials, const std::string& study,

@@ -5,122 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
-#include <set>
 #include <unordered_map>
 
-#include "analysis/csv.h"
-#include "analysis/export/tables.h"
+#include "analysis/trials_header.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
 namespace obscura::analysis {
 namespace {
-
-/// The columns that are read.
-enum Column : std::size_t {
-    kObserver,
-    kConditionA,
-    kConditionB,
-    kIsASelected,
-    kSessionId,
-    kScene,
-    kOrder,
-    kCondition,
-    kHypothesis,
-    kValidity,
-    kFirstShown,
-    kResponse,
-    kTrialIndex,
-    kKind,
-    kStudy,
-    kSessionState,
-    kColumnCount
-};
-constexpr std::array<std::string_view, kColumnCount> kNames{
-    "observer",    "condition_A", "condition_B", "is_A_selected", "session_id",  "scene",
-    "order",       "condition",   "hypothesis",  "validity",      "first_shown", "response",
-    "trial_index", "kind",        "study",       "session_state"};
-constexpr std::size_t kNeeded = 4;
-constexpr std::string_view kOtherObserver = "participant_id";
-
-/// What is wrong, so that all of it is said at once.
-class Problems {
-  public:
-    explicit Problems(const std::string& file) : file_(file) {}
-
-    void add(int line, std::string_view what) {
-        if (++count_ <= kShown) lines_.push_back(fmt::format("{}:{}: {}", file_, line, what));
-    }
-    void add(int line, Column column, const std::string& value, std::string_view allowed) {
-        add(line, fmt::format("column {}: '{}', allowed {}", kNames[column], value, allowed));
-    }
-    void throw_if_any() const {
-        if (count_ == 0) return;
-        std::string text = fmt::format("{}", fmt::join(lines_, "\n"));
-        if (count_ > kShown) {
-            text += fmt::format("\n{}: and {} more like these", file_, count_ - kShown);
-        }
-        throw base::bad_input("{}", text);
-    }
-
-  private:
-    static constexpr std::size_t kShown = 100;
-    const std::string& file_;
-    std::vector<std::string> lines_;
-    std::size_t count_ = 0;
-};
-
-/// Where each column stands in a row.
-class Header {
-  public:
-    Header(const CsvRecord& record, Problems& problems) : width_(record.fields.size()) {
-        std::set<std::string> met;
-        for (std::size_t i = 0; i < record.fields.size(); ++i) {
-            const std::string& field = record.fields[i];
-            if (!met.insert(field).second) {
-                problems.add(record.line, fmt::format("column '{}' stands there twice", field));
-            }
-            const auto name = std::find(kNames.begin(), kNames.end(),
-                                        field == kOtherObserver ? "observer" : field);
-            if (name != kNames.end()) {
-                place_[static_cast<std::size_t>(name - kNames.begin())] = i;
-            } else if (!is_exported(field)) {
-                problems.add(record.line,
-                             fmt::format("unknown column '{}', allowed are {}, {} and the others "
-                                         "of the exported trials.csv",
-                                         field, kOtherObserver, fmt::join(kNames, ", ")));
-            }
-        }
-        if (met.contains("observer") && met.contains(std::string(kOtherObserver))) {
-            problems.add(record.line, "columns observer and participant_id, allowed is one");
-        }
-        for (std::size_t column = 0; column < kNeeded; ++column) {
-            if (place_[column]) continue;
-            problems.add(record.line, fmt::format("column {} is missing", kNames[column]));
-        }
-    }
-
-    [[nodiscard]] bool has(Column column) const { return place_[column].has_value(); }
-    [[nodiscard]] std::size_t width() const { return width_; }
-    /// The field, or empty text where the file has no such column.
-    [[nodiscard]] const std::string& field(const CsvRecord& row, Column column) const {
-        static const std::string empty;
-        return place_[column] ? row.fields[*place_[column]] : empty;
-    }
-
-  private:
-    static bool is_exported(const std::string& name) {
-        const auto& columns = trials_export().columns;
-        return std::any_of(columns.begin(), columns.end(),
-                           [&](const auto& column) { return column.name == name; });
-    }
-
-    std::array<std::optional<std::size_t>, kColumnCount> place_;
-    std::size_t width_;
-};
 
 std::optional<int> whole_number(const std::string& field) {
     int value = 0;
@@ -148,7 +42,8 @@ class Reader {
             throw base::bad_input(
                 "{}: the file is empty, allowed is a header with {} and a row "
                 "for each trial",
-                file_.name, fmt::join(kNames.begin(), kNames.begin() + kNeeded, ","));
+                file_.name,
+                fmt::join(kColumnNames.begin(), kColumnNames.begin() + kNeededColumns, ","));
         }
         problems_.throw_if_any();
         if (file_.trials.empty()) {
@@ -183,16 +78,17 @@ class Reader {
         read_order(row, trial);
         read_session(row, trial);
         read_index(row, trial);
+        read_attention(row, trial);
         read_condition(row, trial);
         trial.response_first = trial.is_A_selected == (trial.first_shown == 'A');
         check_response(row, trial);
         file_.trials.push_back(std::move(trial));
     }
 
-    const std::string& needed(const CsvRecord& row, Column column) {
+    const std::string& needed(const CsvRecord& row, TrialsColumn column) {
         const std::string& field = header_->field(row, column);
         if (field.empty()) {
-            problems_.add(row.line, fmt::format("column {} is empty", kNames[column]));
+            problems_.add(row.line, fmt::format("column {} is empty", kColumnNames[column]));
         }
         return field;
     }
@@ -265,6 +161,7 @@ class Reader {
             session.session_id = trial.session_id;
             session.participant_id = observer;
             session.study = header_->field(row, kStudy);
+            session.exclusion = header_->field(row, kExclusion);
             session.state = SessionState::kCompleted;
             has_kind_.push_back(false);
         }
@@ -272,6 +169,10 @@ class Reader {
         if (session.study != header_->field(row, kStudy)) {
             problems_.add(row.line, kStudy, header_->field(row, kStudy),
                           fmt::format("is '{}' as before in session {}", session.study, name));
+        }
+        if (session.exclusion != header_->field(row, kExclusion)) {
+            problems_.add(row.line, kExclusion, header_->field(row, kExclusion),
+                          fmt::format("is '{}' as before in session {}", session.exclusion, name));
         }
         read_session_state(row, session, is_new);
         if (trial.kind != Kind::kParticipant && trial.kind != Kind::kSimulated) return;
@@ -300,7 +201,7 @@ class Reader {
         const bool has_index = header_->has(kTrialIndex);
         const bool is_numbered = order_is_number_.value_or(false) && header_->has(kSessionId);
         if (!has_index && !is_numbered) return;
-        const Column column = has_index ? kTrialIndex : kOrder;
+        const TrialsColumn column = has_index ? kTrialIndex : kOrder;
         const std::string& field = header_->field(row, column);
         const auto index = whole_number(field);
         if (!index) {
@@ -313,6 +214,24 @@ class Reader {
             problems_.add(row.line, column, field,
                           fmt::format("is each number once in a session, this one is in line {}",
                                       first->second));
+        }
+    }
+
+    void read_attention(const CsvRecord& row, TrialRecord& trial) {
+        const std::string& expected = header_->field(row, kExpected);
+        if (!expected.empty()) {
+            if ((expected != "A" && expected != "B") || trial.kind != Kind::kCatch) {
+                problems_.add(row.line, kExpected, expected,
+                              "are A, B for kind catch, else nothing");
+            }
+            trial.expected = expected.front();
+        }
+        trial.repeats = header_->field(row, kRepeats);
+        if (trial.repeats.empty()) return;
+        const bool is_vote = trial.kind == Kind::kParticipant || trial.kind == Kind::kSimulated;
+        if (!is_vote || trial.repeats == header_->field(row, kCondition)) {
+            problems_.add(row.line, kRepeats, trial.repeats,
+                          "is another condition, for kind participant or simulated");
         }
     }
 
@@ -334,6 +253,7 @@ class Reader {
             std::swap(trial.condition_A, trial.condition_B);
             trial.is_A_selected = !trial.is_A_selected;
             trial.first_shown = trial.first_shown == 'A' ? 'B' : 'A';
+            if (trial.expected != '\0') trial.expected = trial.expected == 'A' ? 'B' : 'A';
         }
         trial.condition = fmt::format("{}{}{} - {}", trial.scene, trial.scene.empty() ? "" : ": ",
                                       trial.condition_A, trial.condition_B);
@@ -369,8 +289,8 @@ class Reader {
     }
 
     TrialsFile file_;
-    Problems problems_;
-    std::optional<Header> header_;
+    FileProblems problems_;
+    std::optional<TrialsHeader> header_;
     std::unordered_map<std::string, std::size_t> session_;  ///< name to place
     std::vector<bool> has_kind_;                            ///< of each session
     std::unordered_map<std::string, int> index_line_;

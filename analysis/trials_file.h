@@ -26,7 +26,8 @@ struct TrialsFile {
 /// - session_id, scene, and order: AB or BA (A or B) for what was shown first, or the number of the
 ///   trial in its session.
 /// - every column of the exported trials.csv; condition, hypothesis, validity, first_shown,
-///   response, trial_index, kind, study and session_state are read, the others passed over.
+///   response, trial_index, kind, study, session_state, expected, repeats and exclusion are read,
+///   the others passed over.
 /// Without the column condition, a condition is a scene with two variants, whichever of them is
 /// called A; A is then what the first row calls so. Throws bad input that lists what is wrong as
 /// `file:line: column, value, what is allowed`, the first 100 in full.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -30,6 +31,14 @@ std::string builtin_names() {
 }
 
 }  // namespace
+
+std::string ExclusionRule::to_json() const {
+    nlohmann::ordered_json json;
+    if (min_catch_correct) json["min_catch_correct"] = *min_catch_correct;
+    if (min_repeat_agreement) json["min_repeat_agreement"] = *min_repeat_agreement;
+    if (min_response_time_s) json["min_response_time_s"] = *min_response_time_s;
+    return json.empty() ? "" : json.dump();
+}
 
 const StudyScene& Study::scene_of(const Condition& condition) const {
     const auto found = std::find_if(scenes.begin(), scenes.end(),

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,20 @@ struct Condition {
     std::string hypothesis;  ///< H1, H2, ...; may be empty
     renderer::TechniqueChoice a;
     renderer::TechniqueChoice b;
+    char expected =
+        '\0';  ///< 'A' or 'B': the side an attentive observer picks, of an attention check
+    /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.
+    std::string repeats;
+};
+
+/// Whom a study leaves out, fixed before there are data. What is not given is not asked.
+struct ExclusionRule {
+    std::optional<double> min_catch_correct;     ///< share of attention checks as expected, 0 to 1
+    std::optional<double> min_repeat_agreement;  ///< share of repeats answered alike, 0 to 1
+    std::optional<double> min_response_time_s;   ///< median of the answers
+
+    /// As a JSON object with the members' names; empty text where nothing is asked.
+    [[nodiscard]] std::string to_json() const;
 };
 
 /// All that a study file says, checked.
@@ -59,6 +74,7 @@ struct Study {
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
+    ExclusionRule exclusion;
     std::string sha256;            ///< of the file's bytes
     std::filesystem::path folder;  ///< of the file; what its paths are relative to
 

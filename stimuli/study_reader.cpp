@@ -9,6 +9,7 @@
 #include <set>
 
 #include "renderer/base/hash.h"
+#include "stimuli/attention_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_reader.h"
@@ -140,6 +141,11 @@ Condition read_condition(TableReader& reader, const std::string& where,
                          const std::vector<std::string>& scene_ids, Problems& problems) {
     Condition condition;
     condition.id = read_id(reader, "id");
+    condition.expected = read_expected(reader);
+    if (reader.has("repeats")) {
+        read_repeats(reader, condition);
+        return condition;
+    }
     const auto scene = reader.text("scene", Need::kRequired);
     if (scene) {
         condition.scene = *scene;
@@ -205,6 +211,9 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     }
     const toml::node* array = root.get("condition");
     if (array == nullptr || array->is_array()) check_condition_count(study, conditions, problems);
+    resolve_repeats(study, conditions, problems);
+    const toml::table* exclusion = reader.table("exclusion", Need::kOptional);
+    if (exclusion != nullptr) read_exclusion(*exclusion, study, problems);
     reader.finish();
 }
 

@@ -53,6 +53,8 @@ class TableReader {
     const toml::array* array(const std::string& key, Need need, std::string_view wanted);
     const toml::table* table(const std::string& key, Need need);
 
+    [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }
+
     /// Lets `key` be there without reading it.
     void allow(const std::string& key);
 

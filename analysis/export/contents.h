@@ -8,8 +8,7 @@
 
 namespace obscura::analysis {
 
-/// Everything that an export is made of. Sessions are read before trials, so that every answer of a
-/// session that was completed is there, also while a kiosk is writing.
+/// Everything in the store at one moment, also while a kiosk is writing.
 struct StoreContents {
     std::vector<ParticipantRecord> participants;
     std::vector<SessionRecord> sessions;
@@ -17,7 +16,11 @@ struct StoreContents {
 };
 
 [[nodiscard]] inline StoreContents read_contents(Store& store) {
-    return {store.participants(), store.sessions(), store.trials()};
+    StoreContents contents;
+    store.of_one_moment([&] {
+        contents = {store.participants(), store.sessions(), store.trials()};
+    });
+    return contents;
 }
 
 }  // namespace obscura::analysis

@@ -51,7 +51,7 @@ const Levels kSubjectKinds{{"participant", "a person took part"},
                            {"simulated", "answers made by a simulated observer, not a person"}};
 const Levels kTrialKinds{{"participant", "an answer of a person that counts"},
                          {"practice", "a practice trial, never analysed"},
-                         {"catch", "an attention check, never analysed"},
+                         {"catch", "an attention check, never a vote"},
                          {"simulated", "an answer made by a simulated observer, not a person"}};
 const Levels kStates{{"open", "running, or cut off"},
                      {"completed", "all conditions answered; only these are analysed"},
@@ -67,6 +67,10 @@ constexpr const char* kSeed = "Seed of the study, from which the order was drawn
 constexpr const char* kSwapped = "Whether variant B was shown first in every pair of the session";
 constexpr const char* kSquare = "Number of the square that gave the order, from 0";
 constexpr const char* kRow = "Row of that square, from 0";
+constexpr const char* kExclusion =
+    "The study file's rule on whom to leave out, as JSON: smallest share of catch trials answered "
+    "as expected, of repeated pairs answered alike, smallest median response time in seconds; "
+    "empty: no rule";
 constexpr const char* kVariant = "Technique and samples of variant ";
 
 }  // namespace
@@ -150,6 +154,7 @@ const ExportTable<SessionRecord>& sessions_export() {
              {},
              "Hz",
              of<&R::refresh_hz>},
+            {"exclusion", kExclusion, {}, "", of<&R::exclusion>},
         }};
     return table;
 }
@@ -254,6 +259,17 @@ const ExportTable<TrialRow>& trials_export() {
              {},
              "",
              of_trial<&T::answered_utc>},
+            {"expected", "Variant that an attentive observer picks; empty: no catch trial", kSides,
+             "",
+             [](const TrialRow& row) -> std::string {
+                 return row.trial->expected == '\0' ? "" : cell_of(row.trial->expected);
+             }},
+            {"repeats",
+             "Condition whose answer this one repeats, which is then no vote; empty: none",
+             {},
+             "",
+             of_trial<&T::repeats>},
+            {"exclusion", kExclusion, {}, "", of_session<&S::exclusion>},
         }};
     return table;
 }

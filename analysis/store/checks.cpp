@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "analysis/text.h"
 #include "renderer/base/check.h"
@@ -34,6 +35,35 @@ void check_subject_kind(const std::string& where, Kind kind) {
     if (kind != Kind::kParticipant && kind != Kind::kSimulated) {
         throw base::bad_input("{}: kind is {}, allowed is participant or simulated", where,
                               to_string(kind));
+    }
+}
+
+void check_exclusion(const std::string& where, const std::string& rule) {
+    check_text(where, "exclusion", rule);
+    if (!rule.empty() && !nlohmann::json::parse(rule, nullptr, false).is_object()) {
+        throw base::bad_input("{}: exclusion is '{}', allowed is a JSON object or nothing", where,
+                              rule);
+    }
+}
+
+/// A catch trial expects an answer; a vote may repeat another condition's.
+void check_attention(const std::string& where, const TrialRecord& trial) {
+    const bool is_catch = trial.kind == Kind::kCatch;
+    const bool is_side = trial.expected == 'A' || trial.expected == 'B';
+    if (is_catch ? !is_side : trial.expected != '\0') {
+        throw base::bad_input("{}: expected is code {}, allowed for kind {} is {}", where,
+                              static_cast<int>(trial.expected), to_string(trial.kind),
+                              is_catch ? "A or B" : "nothing");
+    }
+    check_text(where, "repeats", trial.repeats);
+    if (trial.repeats.empty()) return;
+    if (trial.repeats == trial.condition) {
+        throw base::bad_input("{}: repeats is '{}', the trial's own condition", where,
+                              trial.repeats);
+    }
+    if (is_catch || trial.kind == Kind::kPractice) {
+        throw base::bad_input("{}: repeats is '{}', allowed for kind {} is nothing", where,
+                              trial.repeats, to_string(trial.kind));
     }
 }
 
@@ -86,6 +116,7 @@ void check(const SessionRecord& session) {
     check_text(where, "gpu_renderer", session.gpu_renderer);
     check_text(where, "display", session.display);
     base::check_range(where, "refresh_hz", session.refresh_hz, 0.0, kMaxRefreshHz);
+    check_exclusion(where, session.exclusion);
 }
 
 void check(const TrialRecord& trial) {
@@ -124,6 +155,7 @@ void check(const TrialRecord& trial) {
     check_text(where, "first_sha256", trial.first_sha256);
     check_text(where, "second_sha256", trial.second_sha256);
     check_utc(where, "answered_utc", trial.answered_utc);
+    check_attention(where, trial);
 }
 
 void check(const EventRecord& event) {

@@ -104,6 +104,19 @@ struct TextOrNull {
     }
 };
 
+/// A letter that may be missing: 0, or NULL in the database.
+struct LetterOrNull {
+    static constexpr CellType kType = CellType::kText;
+    static void to(char value, Cell& cell) {
+        cell.indicator = value == '\0' ? soci::i_null : soci::i_ok;
+        Codec<char>::to(value, cell);
+    }
+    static void from(char& value, const Cell& cell) {
+        value = '\0';
+        if (cell.indicator == soci::i_ok) Codec<char>::from(value, cell);
+    }
+};
+
 template <typename Member>
 struct MemberTraits;
 template <typename R, typename T>
@@ -157,7 +170,8 @@ const Table<SessionRecord>& sessions_table() {
                                  column<&R::operating_system>("operating_system"),
                                  column<&R::gpu_renderer>("gpu_renderer"),
                                  column<&R::display>("display"),
-                                 column<&R::refresh_hz>("refresh_hz")}};
+                                 column<&R::refresh_hz>("refresh_hz"),
+                                 column<&R::exclusion, TextOrNull>("exclusion")}};
     return table;
 }
 
@@ -186,7 +200,9 @@ const Table<TrialRecord>& trials_table() {
                                  column<&R::dropped_frames>("dropped_frames"),
                                  column<&R::first_sha256>("first_sha256"),
                                  column<&R::second_sha256>("second_sha256"),
-                                 column<&R::answered_utc>("answered_utc")}};
+                                 column<&R::answered_utc>("answered_utc"),
+                                 column<&R::expected, LetterOrNull>("expected"),
+                                 column<&R::repeats, TextOrNull>("repeats")}};
     return table;
 }
 

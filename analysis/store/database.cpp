@@ -235,4 +235,23 @@ void Transaction::commit() {
     open_ = false;
 }
 
+ReadTransaction::ReadTransaction(Database& database)
+    : database_(database), outermost_(!database.reading_) {
+    if (!outermost_) return;
+    database_.execute(database_.system() == Database::System::kSqlite
+                          ? "BEGIN DEFERRED"
+                          : "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
+    database_.reading_ = true;
+}
+
+ReadTransaction::~ReadTransaction() {
+    if (!outermost_) return;
+    database_.reading_ = false;
+    try {
+        database_.execute("COMMIT");
+    } catch (const soci::soci_error&) {
+        // Nothing was written; the connection that cannot end it is gone.
+    }
+}
+
 }  // namespace obscura::analysis

@@ -45,12 +45,15 @@ class Database {
     }
 
   private:
+    friend class ReadTransaction;
+
     [[nodiscard]] base::Error translated(std::string_view doing,
                                          const soci::soci_error& error) const;
     void open_sqlite(const std::string& file, bool read_only);
     void open_postgresql(const std::string& url, bool read_only);
 
     System system_ = System::kSqlite;
+    bool reading_ = false;  ///< a ReadTransaction is open
     std::string name_;
     soci::session session_;
 };
@@ -70,6 +73,20 @@ class Transaction {
   private:
     Database& database_;
     bool open_ = true;
+};
+
+/// A scope in which everything that is read is of one moment. Within another such scope it is part
+/// of that one.
+class ReadTransaction {
+  public:
+    explicit ReadTransaction(Database& database);
+    ~ReadTransaction();
+    ReadTransaction(const ReadTransaction&) = delete;
+    ReadTransaction& operator=(const ReadTransaction&) = delete;
+
+  private:
+    Database& database_;
+    bool outermost_;
 };
 
 }  // namespace obscura::analysis

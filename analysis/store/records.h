@@ -92,7 +92,7 @@ struct SessionRecord {
     std::uint64_t latin_square = 0;  ///< from 0
     int latin_row = 0;               ///< from 0
     bool swapped = false;
-    int condition_count = 0;  ///< trials that complete the session
+    int condition_count = 0;  ///< trials that complete the session, catch and repeats too
     SessionState state = SessionState::kOpen;
     std::string started_utc;
     std::string ended_utc;  ///< empty while open
@@ -101,6 +101,9 @@ struct SessionRecord {
     std::string gpu_renderer;
     std::string display;      ///< monitor's name, resolution, refresh rate
     double refresh_hz = 0.0;  ///< 0: unknown
+    /// The study's rule on whom to leave out: a JSON object with any of min_catch_correct,
+    /// min_repeat_agreement (shares, 0 to 1) and min_response_time_s (median, s); empty: no rule.
+    std::string exclusion;
 
     bool operator==(const SessionRecord&) const = default;
 };
@@ -130,6 +133,9 @@ struct TrialRecord {
     std::string first_sha256;  ///< of the PNG shown first
     std::string second_sha256;
     std::string answered_utc;
+    char expected =
+        '\0';  ///< 'A' or 'B': what an attentive observer picks, of a catch trial; else 0
+    std::string repeats;  ///< condition whose answer this one repeats, no vote then; empty: none
 
     bool operator==(const TrialRecord&) const = default;
 };

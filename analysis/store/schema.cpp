@@ -102,6 +102,19 @@ std::vector<std::string> first_schema() {
     };
 }
 
+/// Catch trials say what was expected, repeated ones what they repeat; the study's rule of
+/// exclusion is kept with the session, so that it cannot be changed after the answers are known.
+std::vector<std::string> checks_of_attention() {
+    return {
+        "ALTER TABLE sessions ADD COLUMN exclusion TEXT CHECK (exclusion <> '')",
+        "ALTER TABLE trials ADD COLUMN expected TEXT "
+        "CHECK (expected IS NULL OR (expected IN ('A', 'B') AND kind = 'catch'))",
+        "ALTER TABLE trials ADD COLUMN repeats TEXT "
+        "CHECK (repeats IS NULL OR (repeats <> '' AND repeats <> condition "
+        "AND kind IN ('participant', 'simulated')))",
+    };
+}
+
 /// The statement in the system's own words.
 std::string spelled_for(Database::System system, std::string statement) {
     const bool sqlite = system == Database::System::kSqlite;
@@ -150,7 +163,7 @@ base::Error newer(const Database& database, int met, int known) {
 }  // namespace
 
 const std::vector<Migration>& migrations() {
-    static const std::vector<Migration> steps{{1, first_schema()}};
+    static const std::vector<Migration> steps{{1, first_schema()}, {2, checks_of_attention()}};
     return steps;
 }
 

@@ -48,39 +48,58 @@ void insert(soci::session& session, const Table<Record>& table, const Record& re
     statement.execute(true);
 }
 
-/// Rows of a table; `rest` is what follows FROM, its named values are in `values`.
+/// Rows of a table, one after another.
+template <typename Record>
+class Rows {
+  public:
+    /// `rest` is what follows FROM, `prefix` the table's name in it; its values are in `values`.
+    Rows(soci::session& session, const Table<Record>& table, const std::string& rest,
+         const std::vector<std::string>& values = {}, const char* prefix = "")
+        : table_(table), cells_(table.columns.size()), statement_(session) {
+        for (const std::string& value : values) statement_.exchange(soci::use(value));
+        for (std::size_t i = 0; i < cells_.size(); ++i) receive(table.columns[i].type, cells_[i]);
+        statement_.alloc();
+        statement_.prepare(fmt::format("SELECT {} FROM {}", column_names(table, prefix), rest));
+        statement_.define_and_bind();
+        statement_.execute();
+    }
+
+    /// The next row into `record`; false when there is none.
+    bool next(Record& record) {
+        if (!statement_.fetch()) return false;
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            table_.columns[i].from_cell(record, cells_[i]);
+        }
+        return true;
+    }
+
+  private:
+    void receive(CellType type, Cell& cell) {
+        switch (type) {
+            case CellType::kText:
+                statement_.exchange(soci::into(cell.text, cell.indicator));
+                break;
+            case CellType::kInteger:
+                statement_.exchange(soci::into(cell.integer, cell.indicator));
+                break;
+            case CellType::kReal:
+                statement_.exchange(soci::into(cell.real, cell.indicator));
+                break;
+        }
+    }
+
+    const Table<Record>& table_;
+    std::vector<Cell> cells_;
+    soci::statement statement_;
+};
+
+/// Rows of a table; `rest` is what follows its name, with named values from `values`.
 template <typename Record>
 std::vector<Record> select(soci::session& session, const Table<Record>& table,
                            const std::string& rest, const std::vector<std::string>& values = {}) {
-    std::vector<Cell> cells(table.columns.size());
-    soci::statement statement(session);
-    for (const std::string& value : values) statement.exchange(soci::use(value));
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        Cell& cell = cells[i];
-        switch (table.columns[i].type) {
-            case CellType::kText:
-                statement.exchange(soci::into(cell.text, cell.indicator));
-                break;
-            case CellType::kInteger:
-                statement.exchange(soci::into(cell.integer, cell.indicator));
-                break;
-            case CellType::kReal:
-                statement.exchange(soci::into(cell.real, cell.indicator));
-                break;
-        }
-    }
-    statement.alloc();
-    statement.prepare(
-        fmt::format("SELECT {} FROM {} {}", column_names(table, ""), table.name, rest));
-    statement.define_and_bind();
-    statement.execute();
+    Rows<Record> rows(session, table, fmt::format("{} {}", table.name, rest), values);
     std::vector<Record> records;
-    while (statement.fetch()) {
-        Record& record = records.emplace_back();
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            table.columns[i].from_cell(record, cells[i]);
-        }
-    }
+    for (Record record; rows.next(record);) records.push_back(record);
     return records;
 }
 
@@ -103,12 +122,12 @@ SessionRecord find_open_session(Database& database, const std::string& session_i
     return session;
 }
 
-/// Trials that count towards condition_count: those of the session's own kind.
+/// Trials that count towards condition_count: all but practice.
 int count_answers(Database& database, const SessionRecord& session) {
-    const std::string kind(to_string(session.kind));
     int count = 0;
-    database.session() << "SELECT COUNT(*) FROM trials WHERE session_id = :id AND kind = :kind",
-        soci::use(session.session_id), soci::use(kind), soci::into(count);
+    database.session()
+        << "SELECT COUNT(*) FROM trials WHERE session_id = :id AND kind <> 'practice'",
+        soci::use(session.session_id), soci::into(count);
     return count;
 }
 
@@ -153,8 +172,8 @@ void refuse_answered(Database& database, const TrialRecord& trial) {
             throw base::failure("trial {} of session {} is already answered in the store {}",
                                 trial.trial_index, trial.session_id, database.name());
         }
-        if (other.kind == trial.kind && other.condition == trial.condition &&
-            (trial.kind == Kind::kParticipant || trial.kind == Kind::kSimulated)) {
+        const bool either_practice = other.kind == Kind::kPractice || trial.kind == Kind::kPractice;
+        if (!either_practice && other.condition == trial.condition) {
             throw base::failure(
                 "condition {} of session {} is already answered (trial {}) in the store {}",
                 trial.condition, trial.session_id, other.trial_index, database.name());
@@ -192,6 +211,15 @@ struct Store::Impl {
             Transaction transaction(database);
             work();
             transaction.commit();
+        });
+    }
+
+    template <typename Record>
+    void each(const Table<Record>& table, const std::string& rest,
+              const std::function<void(const Record&)>& take) {
+        database.guarded("read", [&] {
+            Rows<Record> rows(database.session(), table, rest);
+            for (Record record; rows.next(record);) take(record);
         });
     }
 
@@ -245,7 +273,7 @@ void Store::add_trial(const TrialRecord& trial) {
         const SessionRecord session = find_open_session(database, trial.session_id);
         refuse_other_kind(trial, session);
         refuse_answered(database, trial);
-        if (trial.kind == session.kind &&
+        if (trial.kind != Kind::kPractice &&
             count_answers(database, session) >= session.condition_count) {
             throw base::failure("session {} already has all its {} answers in the store {}",
                                 session.session_id, session.condition_count, database.name());
@@ -315,9 +343,49 @@ std::vector<SessionRecord> Store::sessions() {
 }
 
 std::vector<TrialRecord> Store::trials() {
-    return impl_->read(trials_table(),
-                       "ORDER BY (SELECT s.entry FROM sessions s "
-                       "WHERE s.session_id = trials.session_id), trial_index");
+    std::vector<TrialRecord> trials;
+    each_trial([&](const TrialRecord& trial, const SessionRecord&) { trials.push_back(trial); });
+    return trials;
+}
+
+void Store::each_participant(const std::function<void(const ParticipantRecord&)>& take) {
+    impl_->each(participants_table(), "participants ORDER BY entry", take);
+}
+
+void Store::each_session(const std::function<void(const SessionRecord&)>& take) {
+    impl_->each(sessions_table(), "sessions ORDER BY entry", take);
+}
+
+void Store::each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take) {
+    of_one_moment([&] {
+        impl_->database.guarded("read", [&] {
+            // Two rows of statements side by side, so that no session is read once for each trial.
+            // CROSS JOIN keeps SQLite from sorting the trials: it finds them session by session.
+            soci::session& session = impl_->database.session();
+            Rows<SessionRecord> sessions(session, sessions_table(), "sessions ORDER BY entry");
+            Rows<TrialRecord> trials(session, trials_table(),
+                                     "sessions s CROSS JOIN trials t WHERE t.session_id = "
+                                     "s.session_id ORDER BY s.entry, t.trial_index",
+                                     {}, "t.");
+            SessionRecord of_trial;
+            for (TrialRecord trial; trials.next(trial);) {
+                while (of_trial.session_id != trial.session_id) {
+                    if (!sessions.next(of_trial)) {
+                        throw base::failure("the store {} has no session {}",
+                                            impl_->database.name(), trial.session_id);
+                    }
+                }
+                take(trial, of_trial);
+            }
+        });
+    });
+}
+
+void Store::of_one_moment(const std::function<void()>& work) {
+    impl_->database.guarded("read", [&] {
+        const ReadTransaction transaction(impl_->database);
+        work();
+    });
 }
 
 std::vector<TrialRecord> Store::trials_of(const std::string& session_id) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +39,8 @@ class Store {
 
     /// One answer. Refuses one for a session that is not open, an index or condition already
     /// answered, or an is_A_selected that does not follow. A trial is of the session's kind, or
-    /// practice or catch; those two do not count towards condition_count.
+    /// practice or catch; only practice does not count towards condition_count, and only its
+    /// conditions may come again.
     void add_trial(const TrialRecord& trial);
     void add_event(const EventRecord& event);
 
@@ -60,6 +62,17 @@ class Store {
     [[nodiscard]] std::vector<TrialRecord> trials();
     [[nodiscard]] std::vector<TrialRecord> trials_of(const std::string& session_id);
     [[nodiscard]] std::vector<EventRecord> events();
+
+    /// The same, a row at a time and in the same order: a million trials need no memory. What
+    /// `take` throws ends the reading and goes on to the caller. A record is the callee's for the
+    /// call only; it may read the store, not write it.
+    void each_participant(const std::function<void(const ParticipantRecord&)>& take);
+    void each_session(const std::function<void(const SessionRecord&)>& take);
+    /// Each trial with its session, of one moment.
+    void each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take);
+    /// All that `work` reads is what the store held at one moment, also while a kiosk is writing.
+    /// Calls within `work` join in.
+    void of_one_moment(const std::function<void()>& work);
 
   private:
     struct Impl;

@@ -185,7 +185,8 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .operating_system = plan_.machine.operating_system,
                     .gpu_renderer = plan_.machine.gpu_renderer,
                     .display = plan_.machine.display,
-                    .refresh_hz = plan_.machine.refresh_hz};
+                    .refresh_hz = plan_.machine.refresh_hz,
+                    .exclusion = study_->exclusion.to_json()};
     show(Screen::kInstructions);
     return {std::move(rows), event_record(kStimuliEvent, digest_of(plan_.images), now)};
 }
@@ -209,7 +210,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     const bool a_first = !plan_.order.swapped;
     analysis::TrialRecord row;
     row.session_id = plan_.session_id;
-    row.kind = plan_.kind;
+    row.kind = condition.expected != '\0' ? analysis::Kind::kCatch : plan_.kind;
     row.trial_index = pair_;
     row.condition = condition.id;
     row.hypothesis = condition.hypothesis;
@@ -231,6 +232,8 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.first_sha256 = image(pair_, 0).sha256;
     row.second_sha256 = image(pair_, 1).sha256;
     row.answered_utc = now.utc;
+    row.expected = condition.expected;
+    row.repeats = condition.repeats;
     return row;
 }
 

@@ -186,10 +186,12 @@ TEST_F(StoreFileTest, ADamagedDatabaseIsNotReadAsIfItWereWhole) {
         base::Error);
 }
 
-const std::vector<Migration>& two_steps() {
+const int kNext = migrations().back().version + 1;
+
+const std::vector<Migration>& one_more_step() {
     static const std::vector<Migration> steps = [] {
         std::vector<Migration> list = migrations();
-        list.push_back({2, {"ALTER TABLE participants ADD COLUMN shoe_size {integer}"}});
+        list.push_back({kNext, {"ALTER TABLE participants ADD COLUMN shoe_size {integer}"}});
         return list;
     }();
     return steps;
@@ -198,25 +200,26 @@ const std::vector<Migration>& two_steps() {
 TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
     { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     Database database(url(), false);
-    EXPECT_THROW(require_current(database, two_steps()), base::Error);
-    migrate(database, two_steps());
-    EXPECT_EQ(schema_version(database), 2);
+    EXPECT_THROW(require_current(database, one_more_step()), base::Error);
+    migrate(database, one_more_step());
+    EXPECT_EQ(schema_version(database), kNext);
     int rows = 0;
     database.session() << "SELECT COUNT(*) FROM trials, participants WHERE shoe_size IS NULL",
         soci::into(rows);
     EXPECT_EQ(rows, 7);
-    migrate(database, two_steps());  // nothing to do
-    EXPECT_EQ(schema_version(database), 2);
+    migrate(database, one_more_step());  // nothing to do
+    EXPECT_EQ(schema_version(database), kNext);
     EXPECT_THROW(migrate(database, migrations()), base::Error);
 }
 
 TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {
     { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
-    auto steps = two_steps();
-    steps.push_back({3, {"DROP TABLE events", "ALTER TABLE nowhere ADD COLUMN nothing {integer}"}});
+    auto steps = one_more_step();
+    steps.push_back(
+        {kNext + 1, {"DROP TABLE events", "ALTER TABLE nowhere ADD COLUMN nothing {integer}"}});
     Database database(url(), false);
     EXPECT_ANY_THROW(migrate(database, steps));
-    EXPECT_EQ(schema_version(database), 1);
+    EXPECT_EQ(schema_version(database), kNext - 1);
     Store store(url(), Store::Access::kReadOnly);
     EXPECT_EQ(store.events().size(), 1U);
     EXPECT_EQ(store.participants().front(), tests::a_participant(0));
@@ -265,6 +268,10 @@ TEST_F(StoreFileTest, TheSchemaItselfRefusesRowsThatCannotBe) {
              "UPDATE trials SET response_time_s = 'soon'",
              "UPDATE trials SET trial_index = 0",
              "UPDATE trials SET condition = 'same'",
+             "UPDATE trials SET expected = 'A'",
+             "UPDATE trials SET repeats = condition",
+             "UPDATE trials SET repeats = 'C1', kind = 'practice'",
+             "UPDATE sessions SET exclusion = ''",
              "UPDATE sessions SET participant_id = 'nobody'",
              "UPDATE sessions SET state = 'open'",
              "UPDATE sessions SET swapped = 2",

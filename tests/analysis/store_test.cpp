@@ -288,6 +288,95 @@ TEST_F(StoreTest, TwoConnectionsSeeEachOthersRowsAndNeverShareASlot) {
     EXPECT_THAT(one.trials(), ElementsAre(a_trial(0, 0)));
 }
 
+TEST_F(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion) {
+    auto session = a_session(0);
+    session.condition_count = 3;
+    session.exclusion = R"({"min_catch_correct":0.8})";
+    auto attentive = a_trial(0, 1);
+    attentive.kind = Kind::kCatch;
+    attentive.expected = 'B';
+    auto repeated = a_trial(0, 2);
+    repeated.repeats = "C0";
+    Store store = open();
+    store.begin_session(a_participant(0), session);
+    store.add_trial(a_trial(0, 0));
+    store.add_trial(attentive);
+    expect_refused(store, ExitCode::kFailed, "has 2 answers, complete are 3",
+                   [&] { store.complete_session("s0", kUtc); });
+    store.add_trial(repeated);
+    store.complete_session("s0", kUtc);
+    EXPECT_THAT(store.trials(), ElementsAre(a_trial(0, 0), attentive, repeated));
+    EXPECT_EQ(store.sessions().front().exclusion, session.exclusion);
+}
+
+TEST_F(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
+    Store store = open();
+    auto session = a_session(0);
+    session.exclusion = "0.8";
+    expect_refused(store, ExitCode::kBadInput, "exclusion is '0.8', allowed is a JSON object",
+                   [&] { store.begin_session(a_participant(0), session); });
+    store.begin_session(a_participant(0), a_session(0));
+    const auto refused = [&](const std::string& text, const auto& spoil) {
+        auto trial = a_trial(0, 0);
+        spoil(trial);
+        expect_refused(store, ExitCode::kBadInput, text, [&] { store.add_trial(trial); });
+    };
+    refused("expected is code 65, allowed for kind participant is nothing",
+            [](auto& t) { t.expected = 'A'; });
+    refused("allowed for kind catch is A or B", [](auto& t) { t.kind = Kind::kCatch; });
+    refused("repeats is 'C0', the trial's own condition", [](auto& t) { t.repeats = "C0"; });
+    refused("repeats is 'C1', allowed for kind practice is nothing", [](auto& t) {
+        t.kind = Kind::kPractice;
+        t.repeats = "C1";
+    });
+    auto twice = a_trial(0, 0);
+    twice.kind = Kind::kCatch;
+    twice.expected = 'A';
+    store.add_trial(twice);
+    twice.trial_index = 1;
+    expect_refused(store, ExitCode::kFailed, "condition C0 of session s0 is already answered",
+                   [&] { store.add_trial(twice); });
+}
+
+TEST_F(StoreTest, StreamsTheSameRowsInTheSameOrderEachTrialWithItsSession) {
+    Store store = open();
+    for (const int number : {0, 2, 1}) tests::add_completed(store, number);
+    std::vector<TrialRecord> trials;
+    store.each_trial([&](const TrialRecord& trial, const SessionRecord& session) {
+        EXPECT_EQ(trial.session_id, session.session_id);
+        EXPECT_EQ(session.state, SessionState::kCompleted);
+        trials.push_back(trial);
+    });
+    EXPECT_EQ(trials, store.trials());
+    EXPECT_EQ(trials.at(7), a_trial(2, 0));
+    std::vector<SessionRecord> sessions;
+    store.each_session([&](const SessionRecord& session) { sessions.push_back(session); });
+    EXPECT_EQ(sessions, store.sessions());
+    std::vector<ParticipantRecord> participants;
+    store.each_participant([&](const auto& participant) { participants.push_back(participant); });
+    EXPECT_EQ(participants, store.participants());
+}
+
+TEST_F(StoreTest, WhatIsReadWithinOneMomentDoesNotSeeTheWritesOfAnother) {
+    Store store = open();
+    tests::add_completed(store, 0);
+    Store other = open();
+    store.of_one_moment([&] {
+        EXPECT_EQ(store.sessions().size(), 1U);
+        tests::add_completed(other, 1);
+        EXPECT_EQ(store.sessions().size(), 1U);
+        EXPECT_EQ(store.trials().size(), 7U);
+    });
+    EXPECT_EQ(store.sessions().size(), 2U);
+    try {
+        store.each_trial([](const auto&, const auto&) { throw std::runtime_error("enough"); });
+        ADD_FAILURE() << "not passed on";
+    } catch (const std::runtime_error&) {
+    }
+    tests::add_completed(store, 2);
+    EXPECT_EQ(store.sessions().size(), 3U);
+}
+
 TEST_F(StoreTest, ReadingOnlyRefusesToWrite) {
     { tests::add_completed(*std::make_unique<Store>(open()), 0); }
     Store store = open(Store::Access::kReadOnly);

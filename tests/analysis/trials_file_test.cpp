@@ -161,7 +161,11 @@ StoreContents random_contents(bool repeats) {
         if (number == 11 && repeats) session.participant_id = "p10";
         for (int index = 0; index < 7; ++index) {
             TrialRecord trial = tests::a_trial(number, index);
-            trial.kind = index == 6 && number == 0 ? Kind::kPractice : session.kind;
+            trial.kind = index == 6 && number == 0 ? Kind::kPractice
+                         : index == 5              ? Kind::kCatch
+                                                   : session.kind;
+            if (index == 5) trial.expected = 'A';
+            if (index == 4) trial.repeats = "C3";
             trial.validity = levels.at(static_cast<std::size_t>(index % 3));
             trial.hypothesis = index < 3 ? "H1" : "H2";
             trial.condition_A = index < 3 ? "None" : "Crytek, \"24\"";
