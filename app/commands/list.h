@@ -17,6 +17,7 @@ Command export_command();
 Command plan_command();
 Command power_command();
 Command render_command();
+Command scene_command();
 
 /// All commands, in the order of the help.
 [[nodiscard]] const std::vector<Command>& commands();

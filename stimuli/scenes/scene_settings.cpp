@@ -22,6 +22,8 @@ std::string to_string(renderer::ToneCurve curve) {
             return "filmic";
         case renderer::ToneCurve::kAces:
             return "aces";
+        case renderer::ToneCurve::kClip:
+            return "clip";
     }
     return "";
 }
