@@ -159,6 +159,12 @@ std::string title_of(const Stimulus& stimulus) {
     return fmt::format("{} ({})", stimulus.file(), stimulus.choice().variant_name());
 }
 
+double milliseconds_of(const renderer::Frame& frame) {
+    double sum_ms = 0.0;
+    for (const renderer::PassTime& time : frame.times) sum_ms += time.milliseconds;
+    return sum_ms;
+}
+
 /// The passes, buffers and omissions of one image.
 std::string explanation_of(const Study& study, const Stimulus& stimulus,
                            const renderer::Frame& frame) {
@@ -167,14 +173,12 @@ std::string explanation_of(const Study& study, const Stimulus& stimulus,
     std::string text =
         fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
                     stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
-                    scene.camera, plan.width, plan.height);
-    double sum_ms = 0.0;
+                    scene.camera, plan.image_width, plan.image_height);
     for (const renderer::PassTime& time : frame.times) {
         text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
                             time.milliseconds);
-        sum_ms += time.milliseconds;
     }
-    text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", sum_ms);
+    text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", milliseconds_of(frame));
     for (const renderer::PlannedTarget& target : plan.targets) {
         text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n",
                             renderer::to_string(target.target), target.bytes, target.format,
@@ -186,6 +190,16 @@ std::string explanation_of(const Study& study, const Stimulus& stimulus,
         text += fmt::format("  without {}: {}\n", left_out.what, left_out.why);
     }
     return text;
+}
+
+/// A line of the table of what leaving out saves.
+std::string savings_of(const Stimulus& stimulus, const renderer::Frame& planned,
+                       const renderer::Frame& everything) {
+    constexpr double kMega = 1e6;
+    return fmt::format("{:14} {:10.1f} {:10.1f} {:10.1f} {:10.1f}\n", stimulus.file(),
+                       milliseconds_of(planned), milliseconds_of(everything),
+                       static_cast<double>(planned.plan().bytes()) / kMega,
+                       static_cast<double>(everything.plan().bytes()) / kMega);
 }
 
 }  // namespace
@@ -205,6 +219,10 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     Generated generated;
     base::Progress progress("render", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
+        if (selection.buffers) {
+            base::write_file_atomically((folder / stimulus.file()).replace_extension(".exr"),
+                                        renderer::encode_exr(renderer.render_buffers(stimulus)));
+        }
         if (is_current(finished, stimulus.file())) {
             ++generated.kept;
             progress.step(stimulus.file() + " (kept)");
@@ -286,13 +304,20 @@ std::string explain(const Study& study, const Selection& selection, bool quiet,
     const renderer::HeadlessContext context;
     StimulusRenderer renderer(study, catalogue);
     std::string text = fmt::format("{}\n", renderer::gpu_description());
+    std::string savings =
+        fmt::format("\n{:14} {:>10} {:>10} {:>10} {:>10}\n", "", "ms", "ms, all", "MB", "MB, all");
     base::Progress progress("explain", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
-        for (int warm_up = 0; warm_up < 3; ++warm_up) (void)renderer.render(stimulus);
-        text += explanation_of(study, stimulus, renderer.render(stimulus));
+        for (int warm_up = 0; warm_up < 3; ++warm_up) {
+            (void)renderer.render(stimulus);
+            (void)renderer.render_everything(stimulus);
+        }
+        const renderer::Frame frame = renderer.render(stimulus);
+        text += explanation_of(study, stimulus, frame);
+        savings += savings_of(stimulus, frame, renderer.render_everything(stimulus));
         progress.step(title_of(stimulus));
     }
-    return text;
+    return text + savings;
 }
 
 }  // namespace obscura::stimuli

@@ -17,6 +17,7 @@ struct Selection {
     std::string pair;  ///< id of one condition; empty: all
     int shard = 1;     ///< this one of `shards` parts, from 1
     int shards = 1;
+    bool buffers = false;  ///< also CONDITION-a.exr, the buffers behind each image
 };
 
 /// What a run of generate() did.
@@ -50,7 +51,7 @@ struct Verified {
 
 /// Renders the selected images in memory and tells of each its passes with milliseconds (of a
 /// fourth rendering, after three that are discarded), its buffers with bytes, and what was left
-/// out.
+/// out. Ends with a table of milliseconds and bytes as planned and with nothing left out.
 [[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet,
                                   const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 

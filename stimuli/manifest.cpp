@@ -21,23 +21,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kSides{"a", "b"};
 
-Json to_json(const std::optional<renderer::ToneMapping>& mapping) {
-    if (!mapping) return nullptr;
-    return {{"curve", to_string(mapping->curve)},
-            {"exposure", mapping->exposure},
-            {"white", mapping->white}};
+/// null where there is none.
+Json to_json(const ManifestToneMapping& tone) {
+    if (tone.curve.empty()) return nullptr;
+    return {{"curve", tone.curve}, {"exposure", tone.exposure}, {"white", tone.white}};
 }
 
-std::optional<renderer::ToneMapping> tone_mapping_from(const Json& json) {
-    if (json.is_null()) return std::nullopt;
-    renderer::ToneMapping mapping;
-    json.at("exposure").get_to(mapping.exposure);
-    json.at("white").get_to(mapping.white);
-    const auto name = json.at("curve").get<std::string>();
-    for (const renderer::ToneCurve curve : kToneCurves) {
-        if (to_string(curve) == name) mapping.curve = curve;
-    }
-    return mapping;
+ManifestToneMapping tone_mapping_from(const Json& json) {
+    if (json.is_null()) return {};
+    return {json.at("curve"), json.at("exposure"), json.at("white")};
 }
 
 Json to_json(const std::vector<ManifestImage::SceneFile>& files) {
@@ -57,13 +49,14 @@ Json to_json(const ManifestImage& image) {
             {"validity", image.validity},
             {"settings", Json::parse(image.settings)},
             {"scene_files", to_json(image.scene_files)},
-            {"tone_mapping", to_json(image.tone_mapping)},
             {"technique", image.technique},
             {"samples", image.samples},
             {"parameters", image.parameters},
             {"denoise", image.denoise},
             {"width", image.width},
             {"height", image.height},
+            {"supersampling", image.supersampling},
+            {"tone_mapping", to_json(image.tone_mapping)},
             {"passes", image.passes},
             {"milliseconds", image.milliseconds},
             {"inputs_sha256", image.inputs_sha256}};
@@ -84,13 +77,14 @@ ManifestImage image_from(const Json& json) {
     for (const Json& file : json.value("scene_files", Json::array())) {
         image.scene_files.push_back({file.at("name"), file.at("sha256")});
     }
-    image.tone_mapping = tone_mapping_from(json.value("tone_mapping", Json()));
     json.at("technique").get_to(image.technique);
     json.at("samples").get_to(image.samples);
     json.at("parameters").get_to(image.parameters);
     json.at("denoise").get_to(image.denoise);
     json.at("width").get_to(image.width);
     json.at("height").get_to(image.height);
+    image.supersampling = json.value("supersampling", 1);  // older manifests have neither
+    image.tone_mapping = tone_mapping_from(json.value("tone_mapping", Json()));
     json.at("passes").get_to(image.passes);
     json.at("milliseconds").get_to(image.milliseconds);
     json.at("inputs_sha256").get_to(image.inputs_sha256);
@@ -141,8 +135,10 @@ std::string problem_of_content(const Study& study, const Condition& condition,
     const renderer::TechniqueChoice& wanted = image.side == "a" ? condition.a : condition.b;
     const renderer::TechniqueChoice made = choice_of(image);
     return fmt::format("{}: it shows {}; the study asks for {}; obscura render makes it anew",
-                       path.string(), in_words(image.source, image.camera, image.validity, image.settings, made),
-                       in_words(scene.source, scene.camera, to_string(scene.validity), to_json(scene.settings), wanted));
+                       path.string(),
+                       in_words(image.source, image.camera, image.validity, image.settings, made),
+                       in_words(scene.source, scene.camera, to_string(scene.validity),
+                                to_json(scene.settings), wanted));
 }
 
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
@@ -186,7 +182,7 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
     return image.source == scene.source && image.camera == scene.camera &&
            image.validity == to_string(scene.validity) &&
            image.settings == to_json(scene.settings) && image.width == study.width &&
-           image.height == study.height &&
+           image.height == study.height && image.supersampling == study.supersampling &&
            same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
 }
 

@@ -5,13 +5,19 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
+
+/// How scene light became display light; no operator: values above 1 were clipped.
+struct ManifestToneMapping {
+    std::string curve;  ///< reinhard, filmic, aces or clip; empty: none
+    double exposure = 1.0;
+    double white = 1.0;
+};
 
 /// One stimulus image as it was made.
 struct ManifestImage {
@@ -30,13 +36,14 @@ struct ManifestImage {
         std::string sha256;
     };
     std::vector<SceneFile> scene_files;  ///< none for a built-in scene
-    std::optional<renderer::ToneMapping> tone_mapping;
     std::string technique;
     int samples = 0;
     std::map<std::string, double> parameters;  ///< every parameter, those at their default too
     std::string denoise;
     int width = 0;
     int height = 0;
+    int supersampling = 1;
+    ManifestToneMapping tone_mapping;
     std::vector<std::string> passes;
     double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included
     std::string

@@ -10,6 +10,11 @@
 namespace obscura::stimuli {
 
 std::string encode_png(const RgbImage& image) {
+    const auto pixels = static_cast<std::size_t>(image.width) * image.height;
+    if (image.rgb.size() != 3 * pixels) {
+        throw base::failure("a {}x{} image has {} bytes, not {}", image.width, image.height,
+                            image.rgb.size(), 3 * pixels);
+    }
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("image.png");

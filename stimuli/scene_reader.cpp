@@ -212,8 +212,9 @@ void SceneReader::read_settings(TableReader& reader, SceneSettings& settings, Pr
     };
     settings.exposure = factor("exposure");
     settings.white = factor("white");
-    const auto curve = reader.choice("tone_mapping", Need::kOptional, names_of(kToneCurves));
-    for (const renderer::ToneCurve known : kToneCurves) {
+    const auto curve =
+        reader.choice("tone_mapping", Need::kOptional, names_of(renderer::kToneCurves));
+    for (const renderer::ToneCurve known : renderer::kToneCurves) {
         if (curve && to_string(known) == *curve) settings.tone_curve = known;
     }
     settings.ambient = read_colour(reader, "ambient", kBrightest);

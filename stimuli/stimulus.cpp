@@ -9,9 +9,11 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/frame/everything.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
+#include "stimuli/buffers.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -36,6 +38,12 @@ std::string hash_of_environment() {
         }
     }
     return base::sha256_hex(all);
+}
+
+ManifestToneMapping tone_mapping_of(const renderer::Lighting& lighting) {
+    if (!lighting.tone_mapping) return {};
+    const renderer::ToneMapping& tone = *lighting.tone_mapping;
+    return {std::string(to_string(tone.curve)), tone.exposure, tone.white};
 }
 
 }  // namespace
@@ -82,16 +90,53 @@ const std::vector<renderer::ImportedFile>& StimulusRenderer::files_of(
     return entry->second;
 }
 
-renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
     load(scene);
     const renderer::Camera& camera =
         scene.settings.camera ? *scene.settings.camera : loaded_.opened.camera(scene.camera);
-    const renderer::Lighting& lighting = lighting_of(scene);
+    return {lighting_of(scene), camera};
+}
+
+renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
+                                         const renderer::FrameOptions& options) {
+    const View view = view_of(stimulus);
     const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, lighting), stimulus.choice(),
-                             study_.width, study_.height);
-    return renderer_.render(*loaded_.gpu, lighting, camera, stimulus.choice(), plan);
+        renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
+                             stimulus.choice(), study_.width, study_.height, options);
+    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan);
+}
+
+renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+    return render(stimulus, {.supersampling = study_.supersampling});
+}
+
+renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
+    const View view = view_of(stimulus);
+    const renderer::Lighting lighting = renderer::with_everything(view.lighting);
+    const renderer::FramePlan plan = renderer::plan_frame(
+        renderer::needs_of_everything(*loaded_.opened.scene, lighting), stimulus.choice(),
+        study_.width, study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
+    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan);
+}
+
+renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {
+    const View view = view_of(stimulus);
+    const renderer::Frame frame = render(stimulus, {.all_buffers = true});
+    renderer::FloatImage image = buffers_of(frame, view.lighting);
+    const auto matrices = renderer::matrices_of(view.camera, study_.width, study_.height);
+    image.matrices["obscura:view"] = column_major(matrices.view_from_world);
+    image.matrices["obscura:projection"] = column_major(matrices.clip_from_view);
+    const ManifestImage facts = describe(stimulus, frame);
+    image.texts["obscura:study"] = study_.name;
+    image.texts["obscura:condition"] = facts.condition;
+    image.texts["obscura:side"] = facts.side;
+    image.texts["obscura:scene"] = facts.source;
+    image.texts["obscura:camera"] = facts.camera;
+    image.texts["obscura:validity"] = facts.validity;
+    image.texts["obscura:variant"] = stimulus.choice().variant_name();
+    image.texts["obscura:inputs_sha256"] = facts.inputs_sha256;
+    return image;
 }
 
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
@@ -110,14 +155,14 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     for (const renderer::ImportedFile& file : files_of(scene)) {
         image.scene_files.push_back({file.path.filename().string(), file.sha256});
     }
-    const auto lighting = lightings_.find(scene.id);
-    if (lighting != lightings_.end()) image.tone_mapping = lighting->second.tone_mapping;
     image.technique = choice.technique;
     image.samples = choice.samples;
     image.parameters = parameters_of(choice);
     image.denoise = choice.denoise;
     image.width = study_.width;
     image.height = study_.height;
+    image.supersampling = study_.supersampling;
+    image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
     for (const renderer::PassTime& time : frame.times) {
         image.passes.push_back(renderer::to_string(time.pass));
         image.milliseconds += time.milliseconds;
@@ -142,12 +187,13 @@ std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
                          {"parameters", parameters_of(choice)},
                          {"denoise", choice.denoise},
                          {"width", study_.width},
-                         {"height", study_.height}};
+                         {"height", study_.height},
+                         {"supersampling", study_.supersampling}};
     return base::sha256_hex(inputs.dump());
 }
 
 RgbImage image_of(const renderer::Frame& frame) {
-    return {frame.plan().width, frame.plan().height, frame.read_display()};
+    return {frame.plan().image_width, frame.plan().image_height, frame.read_display()};
 }
 
 }  // namespace obscura::stimuli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/exr.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
@@ -40,6 +41,15 @@ class StimulusRenderer {
     /// All buffers of the image.
     [[nodiscard]] renderer::Frame render(const Stimulus& stimulus);
 
+    /// The same surfaces from a frame that leaves nothing out (renderer/frame/everything.h).
+    [[nodiscard]] renderer::Frame render_everything(const Stimulus& stimulus);
+
+    /// Its buffers with one sample a pixel, as one file: depth (Z, metres), view-space normal (N),
+    /// linear albedo, accessibility (ao.Y) and light / pi before accessibility, with the camera's
+    /// matrices. Where the camera sees nothing, depth is kBackgroundDepth_m, accessibility 1, the
+    /// rest 0.
+    [[nodiscard]] renderer::FloatImage render_buffers(const Stimulus& stimulus);
+
     /// What the manifest says of a rendered image; file hashes are left empty.
     [[nodiscard]] ManifestImage describe(const Stimulus& stimulus,
                                          const renderer::Frame& frame) const;
@@ -57,6 +67,13 @@ class StimulusRenderer {
         OpenedScene opened;
         std::unique_ptr<renderer::GpuScene> gpu;
     };
+    /// The scene, ready to be drawn, its light and the view.
+    struct View {
+        const renderer::Lighting& lighting;
+        const renderer::Camera& camera;
+    };
+    View view_of(const Stimulus& stimulus);
+    renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options);
     void load(const StudyScene& scene);
     const renderer::Lighting& lighting_of(const StudyScene& scene);
     [[nodiscard]] const std::vector<renderer::ImportedFile>& files_of(

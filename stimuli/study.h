@@ -68,6 +68,7 @@ struct Study {
     std::string thanks;  ///< text of the last page; empty: the kiosk's own
     int width = 1280;
     int height = 720;
+    int supersampling = 1;  ///< samples along each side of a pixel
     int grey_ms = 2000;
     int grey_level = 128;
     OrderKind order = OrderKind::kLatinSquare;

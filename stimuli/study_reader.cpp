@@ -9,6 +9,7 @@
 #include <set>
 
 #include "renderer/base/hash.h"
+#include "renderer/frame/plan.h"
 #include "stimuli/attention_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
@@ -87,6 +88,9 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
     study.instructions = read_text(reader, "instructions", Need::kRequired);
     study.thanks = read_text(reader, "thanks", Need::kOptional);
     read_resolution(reader, study);
+    study.supersampling = static_cast<int>(
+        reader.integer("supersampling", Need::kOptional, 1, renderer::kMostSupersampling)
+            .value_or(study.supersampling));
     study.grey_ms = static_cast<int>(
         reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
     study.grey_level = static_cast<int>(

@@ -114,8 +114,12 @@ Command render_command() {
                 "Render in memory, write nothing, and name the files that differ (exit code 3)");
             app.add_flag("--explain", options->explain,
                          "Render in memory, write nothing, and print each image's passes (ms), "
-                         "buffers (bytes) and what was left out")
+                         "buffers (bytes) and what was left out; then what each would "
+                         "cost if nothing were left out")
                 ->excludes(verify_flag);
+            app.add_flag("--aov", options->selection.buffers,
+                         "Also write CONDITION-a.exr and -b.exr: depth (m), view-space normal, "
+                         "albedo, accessibility and light, with the camera's matrices");
             app.footer(variants_help());
             return [options, &globals] { return render(*options, globals); };
         }};

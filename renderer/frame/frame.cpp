@@ -97,21 +97,23 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
     return bytes;
 }
 
-std::vector<float> Frame::read_floats(Target target) const {
+std::vector<float> Frame::read_floats(Target target) const { return read_components(target, 1); }
+
+std::vector<float> Frame::read_components(Target target, int channels) const {
     const PlannedTarget* planned = plan_.find(target);
     if (planned == nullptr) {
         throw base::failure("this frame has no {} target", to_string(target));
     }
-    std::vector<float> stored(static_cast<std::size_t>(planned->width) *
-                              static_cast<std::size_t>(planned->height));
+    constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const std::size_t row = static_cast<std::size_t>(planned->width) * channels;
+    const auto height = static_cast<std::size_t>(planned->height);
+    std::vector<float> stored(row * height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture(target), 0, GL_RED, GL_FLOAT,
+    glGetTextureImage(texture(target), 0, kFormats[channels - 1], GL_FLOAT,
                       static_cast<GLsizei>(stored.size() * sizeof(float)), stored.data());
     std::vector<float> values(stored.size());
-    const auto row = static_cast<std::size_t>(plan_.width);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(plan_.height); ++y) {
-        std::copy_n(&stored[y * row], row,
-                    &values[(static_cast<std::size_t>(plan_.height) - 1 - y) * row]);
+    for (std::size_t y = 0; y < height; ++y) {
+        std::copy_n(&stored[y * row], row, &values[(height - 1 - y) * row]);
     }
     return values;
 }

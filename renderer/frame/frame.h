@@ -31,6 +31,9 @@ class Frame {
     [[nodiscard]] std::vector<std::uint8_t> read_display() const;
     /// A one-channel float target (depth, accessibility, denoised), upper row first.
     [[nodiscard]] std::vector<float> read_floats(Target target) const;
+    /// The first `channels` (1 to 4) components of any colour target as the shaders stored them,
+    /// pixel by pixel, upper row first: code values in [0, 1] for an 8-bit target.
+    [[nodiscard]] std::vector<float> read_components(Target target, int channels) const;
     /// The stored bytes of any target of the image's size, as OpenGL holds them.
     [[nodiscard]] std::vector<std::uint8_t> read_bytes(Target target) const;
 

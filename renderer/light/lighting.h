@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "renderer/light/environment.h"
@@ -38,6 +40,24 @@ enum class ToneCurve {
     kAces,      ///< Narkowicz 2016, fit to the ACES reference, on each channel; `white` has no part
     kClip,      ///< none: values above 1 are clipped
 };
+
+inline constexpr std::array kToneCurves{ToneCurve::kReinhard, ToneCurve::kFilmic, ToneCurve::kAces,
+                                        ToneCurve::kClip};
+
+/// `reinhard`, `filmic`, `aces` or `clip`, as in files.
+[[nodiscard]] constexpr std::string_view to_string(ToneCurve curve) {
+    switch (curve) {
+        case ToneCurve::kReinhard:
+            return "reinhard";
+        case ToneCurve::kFilmic:
+            return "filmic";
+        case ToneCurve::kAces:
+            return "aces";
+        case ToneCurve::kClip:
+            return "clip";
+    }
+    return "";
+}
 
 /// Tone mapping of a scene.
 struct ToneMapping {

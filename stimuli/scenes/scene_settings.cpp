@@ -14,20 +14,6 @@ Json to_array(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-std::string to_string(renderer::ToneCurve curve) {
-    switch (curve) {
-        case renderer::ToneCurve::kReinhard:
-            return "reinhard";
-        case renderer::ToneCurve::kFilmic:
-            return "filmic";
-        case renderer::ToneCurve::kAces:
-            return "aces";
-        case renderer::ToneCurve::kClip:
-            return "clip";
-    }
-    return "";
-}
-
 std::string to_json(const SceneSettings& settings) {
     Json json = Json::object();
     if (settings.scale != 1.0) json["scale"] = settings.scale;

@@ -33,10 +33,4 @@ struct SceneSettings {
 /// The settings as one line of JSON, what is not said left out: equal text, equal settings.
 [[nodiscard]] std::string to_json(const SceneSettings& settings);
 
-/// The curve's name in files: `reinhard`, `filmic`, `aces`, `clip`.
-[[nodiscard]] std::string to_string(renderer::ToneCurve curve);
-inline constexpr renderer::ToneCurve kToneCurves[] = {
-    renderer::ToneCurve::kReinhard, renderer::ToneCurve::kFilmic, renderer::ToneCurve::kAces,
-    renderer::ToneCurve::kClip};
-
 }  // namespace obscura::stimuli
