@@ -116,10 +116,10 @@ std::string surfaces_text(const Scene& scene) {
 std::string cameras_text(const Scene& scene) {
     std::string text = fmt::format("cameras: {}\n", scene.cameras.size());
     for (const renderer::Camera& camera : scene.cameras) {
-        text += fmt::format("  {}: at {} m, to {} m, {:.3g} degrees high, {:.3g} to {:.4g} m\n",
-                            camera.name, vector_text(camera.position_m),
-                            vector_text(camera.target_m), glm::degrees(camera.vertical_fov_rad),
-                            camera.near_m, camera.far_m);
+        text +=
+            fmt::format("  {}: at {} m, to {} m, {:.3g} degrees high, {:.3g} to {:.4g} m\n",
+                        camera.name, vector_text(camera.position_m), vector_text(camera.target_m),
+                        glm::degrees(camera.vertical_fov_rad), camera.near_m, camera.far_m);
     }
     return text;
 }
@@ -157,9 +157,9 @@ std::string level_text(const OpenedScene& scene, Validity level,
     std::string text = fmt::format("level {}: {}\n", to_string(level), light_text(light));
     std::vector<std::string> passes;
     for (const renderer::PlannedPass& pass : plan.passes) passes.push_back(to_string(pass.pass));
-    text += fmt::format("  passes: {}\n  buffers of a {}x{} image with {}: {} bytes\n",
-                        fmt::join(passes, ", "), width, height, choice.variant_name(),
-                        plan.bytes());
+    text +=
+        fmt::format("  passes: {}\n  buffers of a {}x{} image with {}: {} bytes\n",
+                    fmt::join(passes, ", "), width, height, choice.variant_name(), plan.bytes());
     for (const renderer::PlannedTarget& target : plan.targets) {
         text += fmt::format("    {:16} {:10} bytes  {} {}x{}{}\n", to_string(target.target),
                             target.bytes, target.format, target.width, target.height,
@@ -174,11 +174,10 @@ std::string level_text(const OpenedScene& scene, Validity level,
 }  // namespace
 
 std::string summary_of(const OpenedScene& scene) {
-    return fmt::format("{}: {}\n  {} triangles; cameras {}; levels {}; needs {}\n", scene.id,
-                       scene.title, scene.scene->triangle_count(),
-                       fmt::join(names_of_cameras(*scene.scene), ", "),
-                       fmt::join(names_of_levels(scene), ", "),
-                       fmt::join(asked_of_renderer(*scene.scene), ", "));
+    return fmt::format(
+        "{}: {}\n  {} triangles; cameras {}; levels {}; needs {}\n", scene.id, scene.title,
+        scene.scene->triangle_count(), fmt::join(names_of_cameras(*scene.scene), ", "),
+        fmt::join(names_of_levels(scene), ", "), fmt::join(asked_of_renderer(*scene.scene), ", "));
 }
 
 std::string inspection_of(const OpenedScene& scene, const renderer::TechniqueChoice& choice,

@@ -110,6 +110,15 @@ const renderer::Camera& OpenedScene::camera(const std::string& name) const {
     throw base::bad_input("scene {} has no camera \"{}\"; it has {}", title, name, known);
 }
 
+Validity OpenedScene::level(const std::string& name) const {
+    std::string known;
+    for (const Validity level : levels) {
+        if (name.empty() || to_string(level) == name) return level;
+        known += (known.empty() ? "" : ", ") + std::string(to_string(level));
+    }
+    throw base::bad_input("scene {} has no level \"{}\"; it has {}", title, name, known);
+}
+
 bool is_file_source(const std::string& source) {
     return source.find('/') != std::string::npos || renderer::is_scene_file(source);
 }

@@ -27,6 +27,8 @@ struct OpenedScene {
 
     /// The camera of that name, the first one for "". Throws bad input naming those there are.
     [[nodiscard]] const renderer::Camera& camera(const std::string& name = {}) const;
+    /// The level of that name, the first one for "". Throws bad input naming those there are.
+    [[nodiscard]] Validity level(const std::string& name = {}) const;
 };
 
 /// Whether the source is a file's name: it holds a '/' or ends in .gltf, .glb or .obj.
