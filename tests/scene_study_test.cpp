@@ -263,5 +263,17 @@ TEST_F(SceneStudy, ImagesOfAFilesSceneAreMadeAndMadeAgainWhenTheFileChanges) {
     EXPECT_THAT(problems_of_stimuli(other, out), Contains(HasSubstr("the study asks for")));
 }
 
+TEST_F(SceneStudy, TheExampleOverTheOriginalScenesLacksNothingButItsFiles) {
+    const std::filesystem::path file =
+        std::filesystem::path(OBSCURA_SOURCE_DIR) / "stimuli/studies/original-scenes.toml";
+    const std::string text = base::read_file(file);
+    EXPECT_EQ(to_lines(read_study(text, test_catalogue(), {}, SceneFiles::kTrusted).problems, "x"),
+              "");
+    for (const StudyProblem& problem :
+         read_study(text, test_catalogue(), folder_.path()).problems) {
+        EXPECT_THAT(problem.message, HasSubstr("the file is missing"));
+    }
+}
+
 }  // namespace
 }  // namespace obscura::stimuli

@@ -57,7 +57,7 @@ const std::vector<BadChange>& bad_changes() {
         {"accessor of giant count", [](Json& j) { j["accessors"][0]["count"] = 1e15; },
          "accessors[0].count"},
         {"accessor with a negative offset", [](Json& j) { j["accessors"][0]["byteOffset"] = -4; },
-         "accessors[0].byteOffset is -4"},
+         "accessors[0].byteOffset: is -4"},
         {"elements that overlap", [](Json& j) { j["bufferViews"][0]["byteStride"] = 4; },
          "overlap"},
         {"unknown component", [](Json& j) { j["accessors"][0]["componentType"] = 5124; }, "5124"},
