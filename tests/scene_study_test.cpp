@@ -8,7 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "stimuli/generate.h"
-#include "stimuli/png.h"
+#include "stimuli/scenes/open_scene.h"
 #include "stimuli/study_reader.h"
 #include "tests/import/glb_maker.h"
 #include "tests/study_fixture.h"

@@ -3,8 +3,6 @@
 #include "renderer/import/image.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -13,8 +11,6 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-
-#include "renderer/base/error.h"
 
 namespace obscura::renderer::import_detail {
 namespace {
@@ -40,30 +36,6 @@ std::string first_line(const std::string& text) {
     return line.empty() ? "no reason given" : line;
 }
 
-/// Bytes under a name of the file system, for the readers of formats that want one.
-class MemoryFile {
-  public:
-    explicit MemoryFile(std::string_view bytes) : descriptor_(::memfd_create("texture", 0)) {
-        while (descriptor_ >= 0 && !bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-            if (written <= 0) break;
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        }
-        if (!bytes.empty())
-            throw base::failure("no memory for a texture of {} bytes", bytes.size());
-    }
-    ~MemoryFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    [[nodiscard]] std::string name() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
-
-  private:
-    int descriptor_;
-};
-
 /// One or two channels to four: grey, and alpha where there is any.
 void spread_grey(Texture& texture, int channels) {
     for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
@@ -83,20 +55,11 @@ std::optional<Texture> ImageDecoder::decode(std::string_view bytes, const std::s
         return std::nullopt;
     }
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    OIIO::Filesystem::IOProxy* bytes_to_read = &memory;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    std::optional<MemoryFile> file;
-    auto input = OIIO::ImageInput::create("texture." + ending);
-    if (input && input->supports("ioproxy")) {
-        input = OIIO::ImageInput::open("texture." + ending, &config, &memory);
-    } else if (input) {
-        file.emplace(bytes);
-        OIIO::ImageSpec opened;
-        if (!input->open(file->name(), opened, config)) {
-            why = "it cannot be read: " + first_line(input->geterror());
-            return std::nullopt;
-        }
-    }
+    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes_to_read);
+    const auto input = OIIO::ImageInput::open("texture." + ending, &config);
     if (!input) {
         why = "it cannot be read: " + first_line(OIIO::geterror());
         return std::nullopt;

@@ -70,11 +70,26 @@ Camera overview_camera(const Scene& scene) {
     Camera camera;
     camera.name = kOverviewCamera;
     camera.vertical_fov_rad = glm::radians(40.0F);
-    const float distance_m = radius_m / std::sin(0.5F * camera.vertical_fov_rad);
     camera.target_m = 0.5F * (bounds.low_m + bounds.high_m);
-    camera.position_m =
-        camera.target_m + distance_m * glm::normalize(glm::vec3(0.45F, 0.35F, 1.0F));
-    camera.near_m = 0.5F * (distance_m - radius_m);
+    const glm::vec3 backward = glm::normalize(glm::vec3(0.45F, 0.35F, 1.0F));
+    const glm::vec3 right = glm::normalize(glm::cross(camera.up, backward));
+    const glm::vec3 up = glm::cross(backward, right);
+    // As near as every corner of the box allows, in an image as wide as it is high.
+    const float most_per_metre = 0.93F * std::tan(0.5F * camera.vertical_fov_rad);
+    float distance_m = 0.0F;
+    for (int i = 0; i < 8; ++i) {
+        const glm::vec3 corner =
+            glm::mix(bounds.low_m, bounds.high_m,
+                     glm::vec3(static_cast<float>(i & 1), static_cast<float>(i / 2 & 1),
+                               static_cast<float>(i / 4))) -
+            camera.target_m;
+        const float aside_m =
+            std::max(std::abs(glm::dot(corner, right)), std::abs(glm::dot(corner, up)));
+        distance_m = std::max(distance_m, aside_m / most_per_metre + glm::dot(corner, backward));
+    }
+    distance_m = std::max(distance_m, 1.1F * radius_m);
+    camera.position_m = camera.target_m + distance_m * backward;
+    camera.near_m = std::max(0.5F * (distance_m - radius_m), 0.02F * radius_m);
     camera.far_m = 1.05F * (distance_m + radius_m);
     return camera;
 }

@@ -45,7 +45,7 @@ d 0.25
 
 ImportedScene import_text(const TemporaryFolder& folder, std::string_view text,
                           const ImportOptions& options = {}) {
-    base::write_file_atomically(folder / "square.obj", text);
+    tests::write_quickly(folder / "square.obj", text);
     return import_scene(folder / "square.obj", options);
 }
 
@@ -157,7 +157,7 @@ TEST(ObjImport, ATextCutOffOrChangedAnywhereIsReadOrRefused) {
     base::write_file_atomically(folder / "textures/wood.png",
                                 encode_rgba_png(plain_texture(2, {9, 8, 7, 255})));
     const auto try_both = [&](std::string_view obj, std::string_view mtl) {
-        base::write_file_atomically(folder / "square.mtl", mtl);
+        tests::write_quickly(folder / "square.mtl", mtl);
         try {
             EXPECT_GT(import_text(folder, obj).scene.triangle_count(), 0U);
         } catch (const base::Error& error) {
