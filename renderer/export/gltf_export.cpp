@@ -30,9 +30,6 @@ constexpr int kElementBuffer = 34963;
 
 Json to_array(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-/// A number without digits that only rounding made.
-double tidy(double value) { return std::round(value * 1e9) / 1e9; }
-
 class GltfWriter {
   public:
     GltfWriter(const Scene& scene, const Lighting& lighting) : scene_(scene), lighting_(lighting) {}
@@ -233,7 +230,9 @@ void GltfWriter::add_material(const Material& material) {
 
 /// The sixteen numbers of a placement whose -Z axis looks along `direction`.
 Json placement(const glm::vec3& position_m, const glm::vec3& direction, const glm::vec3& up) {
-    const glm::dvec3 z = -glm::normalize(glm::dvec3(direction));
+    // A direction that is one already stays as it is, to the bit.
+    const double length = glm::length(glm::dvec3(direction));
+    const glm::dvec3 z = glm::dvec3(direction) / (std::abs(length - 1.0) < 1e-6 ? -1.0 : -length);
     glm::dvec3 across = glm::cross(glm::dvec3(up), z);
     if (!(glm::length(across) > 1e-6)) across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), z);
     if (!(glm::length(across) > 1e-6)) across = glm::cross(glm::dvec3(1.0, 0.0, 0.0), z);
@@ -241,7 +240,7 @@ Json placement(const glm::vec3& position_m, const glm::vec3& direction, const gl
     const glm::dvec3 y = glm::cross(z, x);
     Json matrix = Json::array();
     for (const glm::dvec3& column : {x, y, z}) {
-        for (int i = 0; i < 3; ++i) matrix.push_back(tidy(column[i]));
+        for (int i = 0; i < 3; ++i) matrix.push_back(column[i]);
         matrix.push_back(0.0);
     }
     for (int i = 0; i < 3; ++i) matrix.push_back(position_m[i]);
@@ -275,8 +274,9 @@ void GltfWriter::add_light_node(Json light, const glm::vec3& position_m,
 
 void GltfWriter::add_lights() {
     const auto colour_and_intensity = [](const glm::vec3& value) {
-        const float brightest = std::max({value.r, value.g, value.b, 1e-9F});
-        return Json{{"color", to_array(glm::clamp(value / brightest, 0.0F, 1.0F))},
+        const glm::dvec3 exact(value);  // so that the product is the value again
+        const double brightest = std::max({exact.r, exact.g, exact.b, 1e-9});
+        return Json{{"color", {exact.r / brightest, exact.g / brightest, exact.b / brightest}},
                     {"intensity", brightest}};
     };
     for (const DirectionalLight& sun : lighting_.lights) {

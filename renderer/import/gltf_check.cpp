@@ -130,6 +130,33 @@ void check_span(const JsonCursor& where, const GltfView& view, std::size_t offse
     }
 }
 
+/// `count` and `element` (bytes) are the accessor's.
+GltfSparse read_sparse(const JsonCursor& cursor, std::size_t count, std::size_t element,
+                       const std::vector<GltfView>& views) {
+    GltfSparse sparse;
+    sparse.count =
+        static_cast<std::size_t>(cursor.at("count").integer(1, static_cast<std::int64_t>(count)));
+    const JsonCursor indices = cursor.at("indices");
+    sparse.indices = views[indices.at("bufferView").index(views.size(), "bufferViews")];
+    sparse.indices_offset =
+        static_cast<std::size_t>(indices.integer("byteOffset", 0, 0, kMostBytes));
+    sparse.indices_type = component_type_of(indices);
+    const std::size_t bytes = component_bytes(sparse.indices_type);
+    check_span(indices, sparse.indices, sparse.indices_offset, bytes, sparse.count, bytes);
+    for (std::size_t k = 0; k < sparse.count; ++k) {
+        const std::uint32_t index = integer_at(
+            sparse.indices.bytes.data() + sparse.indices_offset + k * bytes, sparse.indices_type);
+        if (index >= count) {
+            indices.fail(fmt::format("index {} is {}, allowed is 0 to {}", k, index, count - 1));
+        }
+    }
+    const JsonCursor values = cursor.at("values");
+    sparse.values = views[values.at("bufferView").index(views.size(), "bufferViews")];
+    sparse.values_offset = static_cast<std::size_t>(values.integer("byteOffset", 0, 0, kMostBytes));
+    check_span(values, sparse.values, sparse.values_offset, element, sparse.count, element);
+    return sparse;
+}
+
 struct TypeShape {
     const char* name;
     int components;
@@ -348,29 +375,7 @@ void GltfFile::read_accessors() {
                        element);
         }
         if (const auto sparse = cursor.find("sparse")) {
-            GltfAccessor::Sparse& s = accessor.sparse.emplace();
-            s.count = static_cast<std::size_t>(
-                sparse->at("count").integer(1, static_cast<std::int64_t>(accessor.count)));
-            const JsonCursor indices = sparse->at("indices");
-            s.indices = views_[indices.at("bufferView").index(views_.size(), "bufferViews")];
-            s.indices_offset =
-                static_cast<std::size_t>(indices.integer("byteOffset", 0, 0, kMostBytes));
-            s.indices_type = component_type_of(indices);
-            const std::size_t index_bytes = component_bytes(s.indices_type);
-            check_span(indices, s.indices, s.indices_offset, index_bytes, s.count, index_bytes);
-            for (std::size_t k = 0; k < s.count; ++k) {
-                const std::uint32_t index = integer_at(
-                    s.indices.bytes.data() + s.indices_offset + k * index_bytes, s.indices_type);
-                if (index >= accessor.count) {
-                    indices.fail(fmt::format("index {} is {}, allowed is 0 to {}", k, index,
-                                             accessor.count - 1));
-                }
-            }
-            const JsonCursor values = sparse->at("values");
-            s.values = views_[values.at("bufferView").index(views_.size(), "bufferViews")];
-            s.values_offset =
-                static_cast<std::size_t>(values.integer("byteOffset", 0, 0, kMostBytes));
-            check_span(values, s.values, s.values_offset, element, s.count, element);
+            accessor.sparse = read_sparse(*sparse, accessor.count, element, views_);
         }
         accessors_.push_back(accessor);
     }
@@ -391,7 +396,7 @@ std::vector<float> GltfFile::floats(const GltfAccessor& accessor) const {
         for (std::size_t i = 0; i < accessor.count; ++i) read(i, from + i * accessor.stride);
     }
     if (accessor.sparse) {
-        const GltfAccessor::Sparse& s = *accessor.sparse;
+        const GltfSparse& s = *accessor.sparse;
         const std::size_t index_bytes = component_bytes(s.indices_type);
         for (std::size_t k = 0; k < s.count; ++k) {
             read(integer_at(s.indices.bytes.data() + s.indices_offset + k * index_bytes,
@@ -422,7 +427,7 @@ std::vector<std::uint32_t> GltfFile::integers(const GltfAccessor& accessor,
         for (std::size_t i = 0; i < accessor.count; ++i) read(i, from + i * accessor.stride);
     }
     if (accessor.sparse) {
-        const GltfAccessor::Sparse& s = *accessor.sparse;
+        const GltfSparse& s = *accessor.sparse;
         const std::size_t index_bytes = component_bytes(s.indices_type);
         for (std::size_t k = 0; k < s.count; ++k) {
             read(integer_at(s.indices.bytes.data() + s.indices_offset + k * index_bytes,

@@ -21,6 +21,16 @@ struct GltfView {
     std::size_t stride = 0;  ///< 0: elements lie close together
 };
 
+/// Elements that differ from what their accessor's view holds (glTF 2.0, 3.6.2.3).
+struct GltfSparse {
+    std::size_t count = 0;
+    GltfView indices;  ///< each is below the accessor's count
+    std::size_t indices_offset = 0;
+    int indices_type = 5125;
+    GltfView values;
+    std::size_t values_offset = 0;
+};
+
 /// Elements of one type, after glTF 2.0, 3.6.2: every one lies within its view.
 struct GltfAccessor {
     std::optional<GltfView> view;  ///< none: all elements are zero, but for the sparse ones
@@ -31,15 +41,7 @@ struct GltfAccessor {
     int components = 1;         ///< 1 to 4, 9 or 16
     bool normalized = false;
     bool is_matrix = false;
-    struct Sparse {
-        std::size_t count = 0;
-        GltfView indices;  ///< checked: rising and below the accessor's count
-        std::size_t indices_offset = 0;
-        int indices_type = 5125;
-        GltfView values;
-        std::size_t values_offset = 0;
-    };
-    std::optional<Sparse> sparse;
+    std::optional<GltfSparse> sparse;
 };
 
 /// A glTF document whose container, buffers, views and accessors were checked: what they span is

@@ -27,8 +27,10 @@ glm::dmat3 normal_matrix(const glm::dmat4& placement) {
     return glm::determinant(m) < 0.0 ? -cofactors : cofactors;
 }
 
+/// Unit length; what has it within a float's precision stays as it is, to the bit.
 glm::vec3 directed(const glm::dvec3& v) {
     const double length = glm::length(v);
+    if (std::abs(length - 1.0) < 2e-7) return glm::vec3(v);
     return length > 0.0 ? glm::vec3(v / length) : glm::vec3(0.0F);
 }
 
@@ -252,8 +254,8 @@ void GltfImport::read_light(const JsonCursor& node, std::size_t index) {
     const JsonCursor lights = file_.root().at("extensions").at("KHR_lights_punctual").at("lights");
     const JsonCursor cursor = lights.item(use->at("light").index(lights.count(), "lights"));
     const auto c = cursor.numbers("color", {1.0, 1.0, 1.0});
-    const glm::vec3 colour = glm::max(glm::vec3(c[0], c[1], c[2]), glm::vec3(0.0F)) *
-                             static_cast<float>(cursor.number("intensity", 1.0, 0.0, 1e9));
+    const double intensity = cursor.number("intensity", 1.0, 0.0, 1e9);
+    const glm::vec3 colour(glm::max(glm::dvec3(c[0], c[1], c[2]), 0.0) * intensity);
     const glm::dmat4& world = nodes_.world_from_node[index];
     const glm::vec3 backward = directed(glm::dvec3(world[2]));
     const std::string type = cursor.text("type", "");

@@ -112,10 +112,8 @@ TEST(Export, LightsKeepDirectionAndStrength) {
     const Lighting before = small_light();
     const ImportedScene imported = round_trip(small_scene(), before);
     ASSERT_EQ(imported.lights.size(), 1U);
-    EXPECT_NEAR(glm::distance(imported.lights[0].towards_light, before.lights[0].towards_light),
-                0.0F, 1e-6F);
-    EXPECT_NEAR(glm::distance(imported.lights[0].irradiance, before.lights[0].irradiance), 0.0F,
-                1e-5F);
+    EXPECT_EQ(imported.lights[0].towards_light, before.lights[0].towards_light);
+    EXPECT_EQ(imported.lights[0].irradiance, before.lights[0].irradiance);
     ASSERT_EQ(imported.point_lights.size(), 1U);
     EXPECT_EQ(imported.point_lights[0].position_m, before.point_lights[0].position_m);
     EXPECT_GT(imported.point_lights[0].outer_cone_rad, 3.0F);
