@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,21 @@ struct CsvRecord {
 /// keep what it is given; records before one that is wrong have been taken when it throws.
 void for_each_csv_record(std::string_view text, const std::string& name,
                          const std::function<void(CsvRecord&&)>& take);
+
+/// A record whose fields live only as long as the call that gets it.
+struct CsvRow {
+    int line = 0;  ///< where it begins, from 1
+    std::span<const std::string_view> fields;
+};
+
+/// The same without a copy of each field, for large files.
+void for_each_csv_row(std::string_view text, const std::string& name,
+                      const std::function<void(const CsvRow&)>& take);
+
+/// The same of a file, read in pieces of a few MiB: memory does not grow with it. Throws bad input
+/// when it cannot be read.
+void for_each_csv_row(const std::filesystem::path& file,
+                      const std::function<void(const CsvRow&)>& take);
 
 /// One record with its line feed, quoted where RFC 4180 asks for it. A record of one empty field is
 /// written with quotes, because a reader would take it for an empty line.

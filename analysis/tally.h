@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/answers.h"
+#include "analysis/exclusion.h"
 #include "analysis/statistics/possible.h"
 #include "analysis/store/records.h"
 
@@ -16,6 +18,8 @@ struct Answer {
     std::int32_t participant = 0;  ///< number of the participant in the tally, from 0
     bool chose_b = false;
     bool b_second = false;  ///< B was shown second; has no meaning where Tally::order has no value
+    std::int32_t position = -1;    ///< number of the trial in its session, from 0; -1: not known
+    double response_time_s = 0.0;  ///< 0: not known
 };
 
 /// What one condition is, and the votes it got.
@@ -35,6 +39,19 @@ struct OrderVotes {
     std::int64_t second_chosen = 0;
 };
 
+/// How many of some trials came out as hoped.
+struct Successes {
+    std::int64_t n = 0;
+    std::int64_t successes = 0;
+};
+
+/// Who voted, and how attentively.
+struct ParticipantTrials {
+    std::string id;
+    Successes catch_trials;  ///< with the expected answer
+    Successes repeats;       ///< with the same answer as the trial that they repeat
+};
+
 /// What the tests start from.
 struct Tally {
     std::string source;        ///< the store's URL or the file
@@ -43,16 +60,27 @@ struct Tally {
     Possible<std::int64_t> n_participants = Possible<std::int64_t>::none("not counted");
     std::vector<ConditionVotes> conditions;
     Possible<OrderVotes> order = Possible<OrderVotes>::none("not counted");
+    std::vector<ParticipantTrials> participants;  ///< by number; empty where only counts are known
+    /// The rule that all sessions carry.
+    Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
 };
 
 /// Votes of the completed sessions of one kind (participant or simulated) of one study; practice,
-/// catch and repeated trials never count. `study` may be empty when there is only one. Conditions
+/// catch and repeated trials are no votes. `study` may be empty when there is only one. Conditions
 /// are in natural order of their names (C2 before C10). Throws bad input when no such session is
-/// there (saying what there is instead), when several studies are there and none is named, and when
-/// a condition has not the same variants, validity or hypothesis in all sessions.
+/// there (saying what there is instead), when several studies are there and none is named, when a
+/// condition has not the same variants, validity or hypothesis in all sessions, when a trial
+/// repeats a condition with other variants, and for a rule of exclusion that is none.
+[[nodiscard]] Tally tally_of(const AnswerTable& table, const std::string& study, Kind kind);
+
+/// The same of records.
 [[nodiscard]] Tally tally_trials(const std::string& source,
                                  const std::vector<SessionRecord>& sessions,
                                  const std::vector<TrialRecord>& trials, const std::string& study,
                                  Kind kind);
+
+/// The same without the participants whose place in `left_out` is true. Those who stay keep their
+/// numbers; Tally::participants has them all.
+[[nodiscard]] Tally without(const Tally& tally, const std::vector<bool>& left_out);
 
 }  // namespace obscura::analysis

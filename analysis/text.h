@@ -14,4 +14,7 @@ namespace obscura::analysis {
 /// a programming error.
 [[nodiscard]] std::string shortest(double value);
 
+/// The same, at the end of `text`.
+void append_shortest(std::string& text, double value);
+
 }  // namespace obscura::analysis

@@ -5,18 +5,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 
+#include "analysis/exclusion.h"
 #include "analysis/trials_header.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
 
 namespace obscura::analysis {
 namespace {
 
-std::optional<int> whole_number(const std::string& field) {
+std::optional<int> whole_number(std::string_view field) {
     int value = 0;
     const char* const end = field.data() + field.size();
     const auto [next, error] = std::from_chars(field.data(), end, value);
@@ -24,170 +26,173 @@ std::optional<int> whole_number(const std::string& field) {
     return value;
 }
 
-/// Text that no field holds stands between the parts.
-std::string key_of(const std::string& one, const std::string& other,
-                   const std::string& third = "") {
-    return fmt::format("{}:{}{}:{}{}", one.size(), one, other.size(), other, third);
+std::uint64_t pair_of(std::uint32_t one, std::uint32_t other) {
+    return (std::uint64_t{one} << 32U) | other;
 }
 
+char other_side(char side) { return side == 'A' ? 'B' : 'A'; }
+
+/// Reads one row after another; texts become numbers at once.
 class Reader {
   public:
-    explicit Reader(const std::string& name) : problems_(file_.name) { file_.name = name; }
+    explicit Reader(const std::string& name) : problems_(table_.source) { table_.source = name; }
 
-    TrialsFile read(std::string_view text) {
-        for_each_csv_record(text, file_.name, [&](const CsvRecord& record) {
-            header_ ? read_row(record) : read_header(record);
-        });
+    void take(const CsvRow& row) { header_ ? read_row(row) : read_header(row); }
+
+    AnswerTable done() {
         if (!header_) {
             throw base::bad_input(
-                "{}: the file is empty, allowed is a header with {} and a row "
-                "for each trial",
-                file_.name,
+                "{}: the file is empty, allowed is a header with {} and a row for each trial",
+                table_.source,
                 fmt::join(kColumnNames.begin(), kColumnNames.begin() + kNeededColumns, ","));
         }
+        find_duplicates();
         problems_.throw_if_any();
-        if (file_.trials.empty()) {
-            throw base::bad_input("{}:1: there is no row below the header", file_.name);
+        if (table_.answers.empty()) {
+            throw base::bad_input("{}:1: there is no row below the header", table_.source);
         }
-        return std::move(file_);
+        return std::move(table_);
     }
 
   private:
-    void read_header(const CsvRecord& record) {
-        header_.emplace(record, problems_);
+    void read_header(const CsvRow& row) {
+        header_.emplace(row, problems_);
         problems_.throw_if_any();
         if (!header_->has(kOrder) && !header_->has(kFirstShown)) {
-            file_.order_unknown = "the file does not say which image was shown first";
+            table_.order_unknown = "the file does not say which image was shown first";
         }
     }
 
-    void read_row(const CsvRecord& row) {
+    void read_row(const CsvRow& row) {
         if (row.fields.size() != header_->width()) {
             problems_.add(row.line, fmt::format("the row has {} fields, allowed are {}",
                                                 row.fields.size(), header_->width()));
             return;
         }
-        TrialRecord trial;
-        trial.condition_A = needed(row, kConditionA);
-        trial.condition_B = needed(row, kConditionB);
-        trial.scene = header_->field(row, kScene);
-        trial.hypothesis = header_->field(row, kHypothesis);
-        read_choice(row, trial);
-        read_validity(row, trial);
-        read_kind(row, trial);
-        read_order(row, trial);
-        read_session(row, trial);
-        read_index(row, trial);
-        read_attention(row, trial);
-        read_condition(row, trial);
-        trial.response_first = trial.is_A_selected == (trial.first_shown == 'A');
-        check_response(row, trial);
-        file_.trials.push_back(std::move(trial));
+        AnswerEntry answer;
+        read_choice(row, answer);
+        read_kind(row, answer);
+        read_order(row, answer);
+        read_session(row, answer);
+        read_index(row, answer);
+        read_time(row, answer);
+        read_attention(row, answer);
+        read_condition(row, answer);
+        check_response(row, answer);
+        table_.answers.push_back(answer);
     }
 
-    const std::string& needed(const CsvRecord& row, TrialsColumn column) {
-        const std::string& field = header_->field(row, column);
-        if (field.empty()) {
+    /// The number of the field's text; most rows repeat what the row before says.
+    std::uint32_t number_of(const CsvRow& row, TrialsColumn column) {
+        const std::string_view field = header_->field(row, column);
+        if (field.empty()) return 0;
+        std::uint32_t& last = last_[column];
+        if (table_.names[last] != field) last = table_.names.number_of(field);
+        return last;
+    }
+
+    std::uint32_t needed(const CsvRow& row, TrialsColumn column) {
+        const std::uint32_t number = number_of(row, column);
+        if (number == 0) {
             problems_.add(row.line, fmt::format("column {} is empty", kColumnNames[column]));
         }
-        return field;
+        return number;
     }
 
-    void read_choice(const CsvRecord& row, TrialRecord& trial) {
-        const std::string& field = header_->field(row, kIsASelected);
-        trial.is_A_selected = field == "1" || field == "true";
-        if (!trial.is_A_selected && field != "0" && field != "false") {
+    void read_choice(const CsvRow& row, AnswerEntry& answer) {
+        const std::string_view field = header_->field(row, kIsASelected);
+        answer.a_selected = field == "1" || field == "true";
+        if (!answer.a_selected && field != "0" && field != "false") {
             problems_.add(row.line, kIsASelected, field, "are 0, 1, true, false");
         }
     }
 
-    void read_validity(const CsvRecord& row, TrialRecord& trial) {
-        trial.validity = header_->field(row, kValidity);
-        if (!trial.validity.empty() && trial.validity != "low" && trial.validity != "moderate" &&
-            trial.validity != "high") {
-            problems_.add(row.line, kValidity, trial.validity, "are low, moderate, high");
-        }
-    }
-
-    void read_kind(const CsvRecord& row, TrialRecord& trial) {
+    void read_kind(const CsvRow& row, AnswerEntry& answer) {
         if (!header_->has(kKind)) return;
-        const std::string& field = header_->field(row, kKind);
+        const std::string_view field = header_->field(row, kKind);
         const auto kind = kind_from(field);
         if (kind) {
-            trial.kind = *kind;
+            answer.kind = *kind;
         } else {
             problems_.add(row.line, kKind, field, "are participant, practice, catch, simulated");
         }
     }
 
-    void read_order(const CsvRecord& row, TrialRecord& trial) {
+    void read_order(const CsvRow& row, AnswerEntry& answer) {
         if (header_->has(kFirstShown)) {
-            const std::string& field = header_->field(row, kFirstShown);
+            const std::string_view field = header_->field(row, kFirstShown);
             if (field != "A" && field != "B") {
                 problems_.add(row.line, kFirstShown, field, "are A, B");
                 return;
             }
-            trial.first_shown = field.front();
+            answer.first_shown = field.front();
         }
         if (!header_->has(kOrder)) return;
-        const std::string& field = header_->field(row, kOrder);
-        const bool is_number = whole_number(field).has_value();
+        const std::string_view field = header_->field(row, kOrder);
+        const auto number = whole_number(field);
         const bool is_side = field == "AB" || field == "BA" || field == "A" || field == "B";
-        if (!order_is_number_) order_is_number_ = is_number;
-        if ((!is_number && !is_side) || is_number != *order_is_number_) {
+        if (!order_is_number_) order_is_number_ = number.has_value();
+        if ((!number && !is_side) || number.has_value() != *order_is_number_) {
             problems_.add(row.line, kOrder, field,
                           "are AB, BA, A, B, or in all rows the trial's whole number");
-        } else if (is_number) {
-            trial.trial_index = *whole_number(field);
+        } else if (number) {
+            answer.trial_index = *number;
             if (!header_->has(kFirstShown)) {
-                file_.order_unknown =
+                table_.order_unknown =
                     "the column order numbers the trials and does not say which image was first";
             }
-        } else if (header_->has(kFirstShown) && field.front() != trial.first_shown) {
+        } else if (header_->has(kFirstShown) && field.front() != answer.first_shown) {
             problems_.add(row.line, kOrder, field, "is what the column first_shown says");
         } else {
-            trial.first_shown = field.front();
+            answer.first_shown = field.front();
         }
     }
 
     /// Sessions of different observers may have the same name in the file.
-    void read_session(const CsvRecord& row, TrialRecord& trial) {
-        const std::string& observer = needed(row, kObserver);
-        const std::string& name = header_->field(row, kSessionId);
-        trial.session_id = name.empty() ? observer : key_of(observer, name);
-        const auto [place, is_new] = session_.emplace(trial.session_id, file_.sessions.size());
+    void read_session(const CsvRow& row, AnswerEntry& answer) {
+        const std::uint32_t observer = needed(row, kObserver);
+        const std::uint32_t name = number_of(row, kSessionId);
+        const auto number = static_cast<std::uint32_t>(table_.sessions.size());
+        const auto [place, is_new] = session_.emplace(pair_of(observer, name), number);
+        answer.session = place->second;
         if (is_new) {
-            SessionRecord& session = file_.sessions.emplace_back();
-            session.session_id = trial.session_id;
-            session.participant_id = observer;
-            session.study = header_->field(row, kStudy);
-            session.exclusion = header_->field(row, kExclusion);
-            session.state = SessionState::kCompleted;
+            table_.sessions.push_back({name == 0 ? observer : name, observer,
+                                       number_of(row, kStudy), number_of(row, kExclusion),
+                                       Kind::kParticipant, SessionState::kCompleted});
             has_kind_.push_back(false);
+            check_exclusion(row);
         }
-        SessionRecord& session = file_.sessions[place->second];
-        if (session.study != header_->field(row, kStudy)) {
-            problems_.add(row.line, kStudy, header_->field(row, kStudy),
-                          fmt::format("is '{}' as before in session {}", session.study, name));
-        }
-        if (session.exclusion != header_->field(row, kExclusion)) {
-            problems_.add(row.line, kExclusion, header_->field(row, kExclusion),
-                          fmt::format("is '{}' as before in session {}", session.exclusion, name));
-        }
+        SessionEntry& session = table_.sessions[answer.session];
+        same_in_session(row, kStudy, session.study);
+        same_in_session(row, kExclusion, session.exclusion);
         read_session_state(row, session, is_new);
-        if (trial.kind != Kind::kParticipant && trial.kind != Kind::kSimulated) return;
-        if (has_kind_[place->second] && session.kind != trial.kind) {
-            problems_.add(
-                row.line, kKind, std::string(to_string(trial.kind)),
-                fmt::format("is {} as before in session {}", to_string(session.kind), name));
+        if (answer.kind != Kind::kParticipant && answer.kind != Kind::kSimulated) return;
+        if (has_kind_[answer.session] && session.kind != answer.kind) {
+            problems_.add(row.line, kKind, to_string(answer.kind),
+                          fmt::format("is {} as before in session {}", to_string(session.kind),
+                                      header_->field(row, kSessionId)));
         }
-        session.kind = trial.kind;
-        has_kind_[place->second] = true;
+        session.kind = answer.kind;
+        has_kind_[answer.session] = true;
     }
 
-    void read_session_state(const CsvRecord& row, SessionRecord& session, bool is_new) {
+    void check_exclusion(const CsvRow& row) {
+        const std::string_view field = header_->field(row, kExclusion);
+        if (const auto why = exclusion_problem(field); why) {
+            problems_.add(row.line, kExclusion, field, *why);
+        }
+    }
+
+    void same_in_session(const CsvRow& row, TrialsColumn column, std::uint32_t before) {
+        if (number_of(row, column) == before) return;
+        problems_.add(row.line, column, header_->field(row, column),
+                      fmt::format("is '{}' as before in session {}", table_.names[before],
+                                  header_->field(row, kSessionId)));
+    }
+
+    void read_session_state(const CsvRow& row, SessionEntry& session, bool is_new) {
         if (!header_->has(kSessionState)) return;
-        const std::string& field = header_->field(row, kSessionState);
+        const std::string_view field = header_->field(row, kSessionState);
         const auto state = session_state_from(field);
         if (!state || (!is_new && *state != session.state)) {
             problems_.add(row.line, kSessionState, field,
@@ -197,122 +202,188 @@ class Reader {
         session.state = *state;
     }
 
-    void read_index(const CsvRecord& row, TrialRecord& trial) {
-        const bool has_index = header_->has(kTrialIndex);
-        const bool is_numbered = order_is_number_.value_or(false) && header_->has(kSessionId);
-        if (!has_index && !is_numbered) return;
-        const TrialsColumn column = has_index ? kTrialIndex : kOrder;
-        const std::string& field = header_->field(row, column);
-        const auto index = whole_number(field);
-        if (!index) {
-            if (has_index) problems_.add(row.line, column, field, "is a whole number from 0");
+    void read_index(const CsvRow& row, AnswerEntry& answer) {
+        if (header_->has(kTrialIndex)) {
+            const std::string_view field = header_->field(row, kTrialIndex);
+            const auto index = whole_number(field);
+            if (!index) {
+                problems_.add(row.line, kTrialIndex, field, "is a whole number from 0");
+                return;
+            }
+            answer.trial_index = *index;
+        } else if (!order_is_number_.value_or(false) || !header_->has(kSessionId)) {
             return;
         }
-        trial.trial_index = *index;
-        const auto [first, is_new] = index_line_.emplace(key_of(trial.session_id, field), row.line);
-        if (!is_new) {
-            problems_.add(row.line, column, field,
-                          fmt::format("is each number once in a session, this one is in line {}",
-                                      first->second));
-        }
+        if (answer.trial_index < 0) return;
+        indices_.push_back(
+            {pair_of(answer.session, static_cast<std::uint32_t>(answer.trial_index)), row.line});
     }
 
-    void read_attention(const CsvRecord& row, TrialRecord& trial) {
-        const std::string& expected = header_->field(row, kExpected);
+    void read_time(const CsvRow& row, AnswerEntry& answer) {
+        const std::string_view field = header_->field(row, kResponseTime);
+        if (field.empty() || field == "n/a") return;
+        const char* const end = field.data() + field.size();
+        const auto [next, error] = std::from_chars(field.data(), end, answer.response_time_s);
+        if (error == std::errc() && next == end && std::isfinite(answer.response_time_s) &&
+            answer.response_time_s >= 0.0) {
+            return;
+        }
+        answer.response_time_s = 0.0;
+        problems_.add(row.line, kResponseTime, field,
+                      "is a number of seconds from 0, or nothing or n/a");
+    }
+
+    void read_attention(const CsvRow& row, AnswerEntry& answer) {
+        const std::string_view expected = header_->field(row, kExpected);
         if (!expected.empty()) {
-            if ((expected != "A" && expected != "B") || trial.kind != Kind::kCatch) {
+            if ((expected != "A" && expected != "B") || answer.kind != Kind::kCatch) {
                 problems_.add(row.line, kExpected, expected,
                               "are A, B for kind catch, else nothing");
             }
-            trial.expected = expected.front();
+            answer.expected = expected.front();
         }
-        trial.repeats = header_->field(row, kRepeats);
-        if (trial.repeats.empty()) return;
-        const bool is_vote = trial.kind == Kind::kParticipant || trial.kind == Kind::kSimulated;
-        if (!is_vote || trial.repeats == header_->field(row, kCondition)) {
-            problems_.add(row.line, kRepeats, trial.repeats,
+        answer.repeats = number_of(row, kRepeats);
+        if (answer.repeats == 0) return;
+        const bool is_vote = answer.kind == Kind::kParticipant || answer.kind == Kind::kSimulated;
+        if (!is_vote || answer.repeats == number_of(row, kCondition)) {
+            problems_.add(row.line, kRepeats, table_.names[answer.repeats],
                           "is another condition, for kind participant or simulated");
         }
     }
 
-    void read_condition(const CsvRecord& row, TrialRecord& trial) {
+    void read_condition(const CsvRow& row, AnswerEntry& answer) {
+        const std::string_view validity = header_->field(row, kValidity);
+        if (!validity.empty() && validity != "low" && validity != "moderate" &&
+            validity != "high") {
+            problems_.add(row.line, kValidity, validity, "are low, moderate, high");
+        }
+        ConditionEntry shown;
+        shown.variant_a = needed(row, kConditionA);
+        shown.variant_b = needed(row, kConditionB);
+        shown.hypothesis = number_of(row, kHypothesis);
+        shown.validity = number_of(row, kValidity);
         if (header_->has(kCondition)) {
-            trial.condition = needed(row, kCondition);
-            check_description(row, trial);
+            shown.id = needed(row, kCondition);
+        } else if (!name_condition(row, shown, answer)) {
             return;
         }
-        if (trial.condition_A == trial.condition_B) {
-            problems_.add(row.line, kConditionB, trial.condition_B,
+        answer.condition = table_.place_of(shown);
+        check_description(row, answer);
+    }
+
+    /// Calls a condition by what it shows, and A what the first row of it calls so.
+    bool name_condition(const CsvRow& row, ConditionEntry& shown, AnswerEntry& answer) {
+        if (shown.variant_a == shown.variant_b) {
+            problems_.add(row.line, kConditionB, header_->field(row, kConditionB),
                           "is another variant than condition_A");
-            return;
+            return false;
         }
-        const auto& [low, high] = std::minmax(trial.condition_A, trial.condition_B);
-        const auto [place, is_new] =
-            first_a_.emplace(key_of(low, high, trial.scene), trial.condition_A);
-        if (place->second != trial.condition_A) {
-            std::swap(trial.condition_A, trial.condition_B);
-            trial.is_A_selected = !trial.is_A_selected;
-            trial.first_shown = trial.first_shown == 'A' ? 'B' : 'A';
-            if (trial.expected != '\0') trial.expected = trial.expected == 'A' ? 'B' : 'A';
+        ConditionEntry pair;
+        pair.id = number_of(row, kScene);
+        std::tie(pair.variant_a, pair.variant_b) = std::minmax(shown.variant_a, shown.variant_b);
+        const auto [first, is_new] = first_.emplace(pair, shown);
+        if (is_new) {
+            const std::string& scene = table_.names[pair.id];
+            first->second.id = table_.names.number_of(
+                fmt::format("{}{}{} - {}", scene, scene.empty() ? "" : ": ",
+                            table_.names[shown.variant_a], table_.names[shown.variant_b]));
         }
-        trial.condition = fmt::format("{}{}{} - {}", trial.scene, trial.scene.empty() ? "" : ": ",
-                                      trial.condition_A, trial.condition_B);
-        check_description(row, trial);
+        if (first->second.variant_a != shown.variant_a) {
+            std::swap(shown.variant_a, shown.variant_b);
+            answer.a_selected = !answer.a_selected;
+            answer.first_shown = other_side(answer.first_shown);
+            if (answer.expected != 0) answer.expected = other_side(answer.expected);
+        }
+        shown.id = first->second.id;
+        return true;
     }
 
     /// A condition is the same thing in every row that is counted together.
-    void check_description(const CsvRecord& row, const TrialRecord& trial) {
-        const SessionRecord& session = file_.sessions[session_.at(trial.session_id)];
-        if (session.state != SessionState::kCompleted || trial.kind != session.kind) return;
-        const auto description =
-            fmt::format("{} against {} (validity '{}', hypothesis '{}')", trial.condition_A,
-                        trial.condition_B, trial.validity, trial.hypothesis);
-        const auto [first, is_new] = described_.emplace(
-            key_of(session.study, trial.condition, std::string(to_string(trial.kind))),
-            std::pair(description, row.line));
-        if (first->second.first == description) return;
-        problems_.add(
-            row.line,
-            fmt::format("condition '{}' is {}, allowed is what line {} says: {}", trial.condition,
-                        description, first->second.second, first->second.first));
+    void check_description(const CsvRow& row, const AnswerEntry& answer) {
+        const SessionEntry& session = table_.sessions[answer.session];
+        if (session.state != SessionState::kCompleted || answer.kind != session.kind) return;
+        ConditionEntry key;
+        key.id = table_.conditions[answer.condition].id;
+        key.hypothesis = session.study;
+        key.validity = static_cast<std::uint32_t>(answer.kind);
+        const auto [first, is_new] = described_.emplace(key, std::pair(answer.condition, row.line));
+        if (first->second.first == answer.condition) return;
+        problems_.add(row.line,
+                      fmt::format("condition '{}' is {}, allowed is what line {} says: {}",
+                                  table_.names[key.id], description_of(answer.condition),
+                                  first->second.second, description_of(first->second.first)));
     }
 
-    void check_response(const CsvRecord& row, const TrialRecord& trial) {
+    [[nodiscard]] std::string description_of(std::uint32_t condition) const {
+        const ConditionEntry& shown = table_.conditions[condition];
+        const Names& names = table_.names;
+        return fmt::format("{} against {} (validity '{}', hypothesis '{}')", names[shown.variant_a],
+                           names[shown.variant_b], names[shown.validity], names[shown.hypothesis]);
+    }
+
+    void check_response(const CsvRow& row, const AnswerEntry& answer) {
         if (!header_->has(kResponse)) return;
-        const std::string& field = header_->field(row, kResponse);
+        const std::string_view field = header_->field(row, kResponse);
+        const bool chose_first = answer.a_selected == (answer.first_shown == 'A');
         if (field != "first" && field != "second") {
             problems_.add(row.line, kResponse, field, "are first, second");
-        } else if (file_.order_unknown.empty() && (field == "first") != trial.response_first) {
+        } else if (table_.order_unknown.empty() && (field == "first") != chose_first) {
             problems_.add(row.line, kResponse, field,
                           "is what is_A_selected and the order of showing say");
         }
     }
 
-    TrialsFile file_;
+    /// Two trials of a session with one number are one trial twice.
+    void find_duplicates() {
+        const auto before = [](const Index& one, const Index& other) {
+            return std::tie(one.key, one.line) < std::tie(other.key, other.line);
+        };
+        if (!std::is_sorted(indices_.begin(), indices_.end(), before)) {
+            std::sort(indices_.begin(), indices_.end(), before);
+        }
+        const TrialsColumn column = header_->has(kTrialIndex) ? kTrialIndex : kOrder;
+        for (std::size_t i = 1; i < indices_.size(); ++i) {
+            if (indices_[i].key != indices_[i - 1].key) continue;
+            problems_.add(indices_[i].line, column,
+                          std::to_string(static_cast<std::uint32_t>(indices_[i].key)),
+                          fmt::format("is each number once in a session, this one is in line {}",
+                                      indices_[i - 1].line));
+        }
+        indices_.clear();
+        indices_.shrink_to_fit();
+    }
+
+    struct Index {
+        std::uint64_t key = 0;  ///< session and number
+        int line = 0;
+    };
+
+    AnswerTable table_;
     FileProblems problems_;
     std::optional<TrialsHeader> header_;
-    std::unordered_map<std::string, std::size_t> session_;  ///< name to place
-    std::vector<bool> has_kind_;                            ///< of each session
-    std::unordered_map<std::string, int> index_line_;
-    std::unordered_map<std::string, std::string> first_a_;  ///< what is A in a condition
-    std::unordered_map<std::string, std::pair<std::string, int>> described_;
+    std::array<std::uint32_t, kColumnCount> last_{};            ///< number of each column's text
+    std::unordered_map<std::uint64_t, std::uint32_t> session_;  ///< observer and name to place
+    std::vector<bool> has_kind_;                                ///< of each session
+    std::vector<Index> indices_;
+    /// Scene and two variants, to the names that the first row gives.
+    std::unordered_map<ConditionEntry, ConditionEntry, ConditionHash> first_;
+    /// Condition, study and kind, to the first description and its line.
+    std::unordered_map<ConditionEntry, std::pair<std::uint32_t, int>, ConditionHash> described_;
     std::optional<bool> order_is_number_;
 };
 
 }  // namespace
 
-TrialsFile parse_trials(std::string_view text, const std::string& name) {
-    return Reader(name).read(text);
+AnswerTable parse_trials(std::string_view text, const std::string& name) {
+    Reader reader(name);
+    for_each_csv_row(text, name, [&](const CsvRow& row) { reader.take(row); });
+    return reader.done();
 }
 
-TrialsFile read_trials(const std::filesystem::path& file) {
-    return parse_trials(base::read_file(file), file.string());
-}
-
-Tally tally_of(const TrialsFile& file, const std::string& study, Kind kind) {
-    Tally tally = tally_trials(file.name, file.sessions, file.trials, study, kind);
-    if (!file.order_unknown.empty()) tally.order = Possible<OrderVotes>::none(file.order_unknown);
-    return tally;
+AnswerTable read_trials(const std::filesystem::path& file) {
+    Reader reader(file.string());
+    for_each_csv_row(file, [&](const CsvRow& row) { reader.take(row); });
+    return reader.done();
 }
 
 }  // namespace obscura::analysis

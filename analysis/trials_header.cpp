@@ -21,13 +21,19 @@ bool is_exported(const std::string& name) {
                        [&](const auto& column) { return column.name == name; });
 }
 
+/// What a column is called here.
+std::string_view name_of(std::string_view field) {
+    if (field == kOtherObserver) return kColumnNames[kObserver];
+    return field == kOtherResponseTime ? kColumnNames[kResponseTime] : field;
+}
+
 }  // namespace
 
 void FileProblems::add(int line, std::string_view what) {
     if (++count_ <= kProblemsShown) lines_.push_back(fmt::format("{}:{}: {}", file_, line, what));
 }
 
-void FileProblems::add(int line, TrialsColumn column, const std::string& value,
+void FileProblems::add(int line, TrialsColumn column, std::string_view value,
                        std::string_view allowed) {
     add(line, fmt::format("column {}: '{}', allowed {}", kColumnNames[column], value, allowed));
 }
@@ -41,16 +47,16 @@ void FileProblems::throw_if_any() const {
     throw base::bad_input("{}", text);
 }
 
-TrialsHeader::TrialsHeader(const CsvRecord& record, FileProblems& problems)
+TrialsHeader::TrialsHeader(const CsvRow& record, FileProblems& problems)
     : width_(record.fields.size()) {
     std::set<std::string> met;
     for (std::size_t i = 0; i < record.fields.size(); ++i) {
-        const std::string& field = record.fields[i];
+        const std::string field(record.fields[i]);
         if (!met.insert(field).second) {
             problems.add(record.line, fmt::format("column '{}' stands there twice", field));
         }
-        const auto name = std::find(kColumnNames.begin(), kColumnNames.end(),
-                                    field == kOtherObserver ? "observer" : field);
+        const auto name =
+            std::find(kColumnNames.begin(), kColumnNames.end(), name_of(record.fields[i]));
         if (name != kColumnNames.end()) {
             place_[static_cast<std::size_t>(name - kColumnNames.begin())] = i;
         } else if (!is_exported(field)) {
@@ -60,18 +66,16 @@ TrialsHeader::TrialsHeader(const CsvRecord& record, FileProblems& problems)
                                      field, kOtherObserver, fmt::join(kColumnNames, ", ")));
         }
     }
-    if (met.contains("observer") && met.contains(std::string(kOtherObserver))) {
-        problems.add(record.line, "columns observer and participant_id, allowed is one");
+    for (const std::string_view other : {kOtherObserver, kOtherResponseTime}) {
+        if (!met.contains(std::string(other)) || !met.contains(std::string(name_of(other))))
+            continue;
+        problems.add(record.line,
+                     fmt::format("columns {} and {}, allowed is one", name_of(other), other));
     }
     for (std::size_t column = 0; column < kNeededColumns; ++column) {
         if (place_[column]) continue;
         problems.add(record.line, fmt::format("column {} is missing", kColumnNames[column]));
     }
-}
-
-const std::string& TrialsHeader::field(const CsvRecord& row, TrialsColumn column) const {
-    static const std::string empty;
-    return place_[column] ? row.fields[*place_[column]] : empty;
 }
 
 }  // namespace obscura::analysis

@@ -31,20 +31,23 @@ enum TrialsColumn : std::size_t {
     kKind,
     kStudy,
     kSessionState,
+    kResponseTime,
     kExpected,
     kRepeats,
     kExclusion,
     kColumnCount
 };
 inline constexpr std::array<std::string_view, kColumnCount> kColumnNames{
-    "observer",      "condition_A", "condition_B", "is_A_selected", "session_id",
-    "scene",         "order",       "condition",   "hypothesis",    "validity",
-    "first_shown",   "response",    "trial_index", "kind",          "study",
-    "session_state", "expected",    "repeats",     "exclusion"};
+    "observer",      "condition_A",   "condition_B", "is_A_selected", "session_id",
+    "scene",         "order",         "condition",   "hypothesis",    "validity",
+    "first_shown",   "response",      "trial_index", "kind",          "study",
+    "session_state", "response_time", "expected",    "repeats",       "exclusion"};
 /// The first so many are needed.
 inline constexpr std::size_t kNeededColumns = 4;
 /// Another name of the column observer.
 inline constexpr std::string_view kOtherObserver = "participant_id";
+/// Another name of the column response_time, that of the exported file.
+inline constexpr std::string_view kOtherResponseTime = "response_time (s)";
 
 /// What is wrong with a file, so that all of it is said at once; the first hundred in full.
 class FileProblems {
@@ -53,7 +56,7 @@ class FileProblems {
     explicit FileProblems(const std::string& file) : file_(file) {}
 
     void add(int line, std::string_view what);
-    void add(int line, TrialsColumn column, const std::string& value, std::string_view allowed);
+    void add(int line, TrialsColumn column, std::string_view value, std::string_view allowed);
     /// Throws bad input that lists what was added.
     void throw_if_any() const;
 
@@ -67,12 +70,14 @@ class FileProblems {
 class TrialsHeader {
   public:
     /// Adds unknown columns, columns that stand there twice and needed ones that are missing.
-    TrialsHeader(const CsvRecord& record, FileProblems& problems);
+    TrialsHeader(const CsvRow& record, FileProblems& problems);
 
     [[nodiscard]] bool has(TrialsColumn column) const { return place_[column].has_value(); }
     [[nodiscard]] std::size_t width() const { return width_; }
     /// The field, or empty text where the file has no such column. The row has width() fields.
-    [[nodiscard]] const std::string& field(const CsvRecord& row, TrialsColumn column) const;
+    [[nodiscard]] std::string_view field(const CsvRow& row, TrialsColumn column) const {
+        return place_[column] ? row.fields[*place_[column]] : std::string_view();
+    }
 
   private:
     std::array<std::optional<std::size_t>, kColumnCount> place_;

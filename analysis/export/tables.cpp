@@ -2,49 +2,73 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/export/tables.h"
 
-#include <algorithm>
-#include <map>
+#include <array>
+#include <charconv>
+#include <concepts>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 #include "analysis/text.h"
-#include "renderer/base/error.h"
 
 namespace obscura::analysis {
 namespace {
 
 using Levels = std::vector<std::pair<std::string, std::string>>;
 
-std::string cell_of(const std::string& value) { return value; }
-std::string cell_of(char value) { return {value}; }
-std::string cell_of(bool value) { return value ? "1" : "0"; }
-std::string cell_of(int value) { return std::to_string(value); }
-std::string cell_of(std::int64_t value) { return std::to_string(value); }
-std::string cell_of(std::uint64_t value) { return std::to_string(value); }
-std::string cell_of(double value) { return shortest(value); }
-std::string cell_of(Kind value) { return std::string(to_string(value)); }
-std::string cell_of(SessionState value) { return std::string(to_string(value)); }
+void append(std::string& out, const std::string& value) { out += value; }
+void append(std::string& out, char value) {
+    if (value != '\0') out += value;
+}
+void append(std::string& out, bool value) { out += value ? '1' : '0'; }
+void append(std::string& out, double value) { append_shortest(out, value); }
+void append(std::string& out, Kind value) { out += to_string(value); }
+void append(std::string& out, SessionState value) { out += to_string(value); }
+template <std::integral T>
+void append(std::string& out, T value) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    out.append(digits.data(), end.ptr);
+}
 template <typename T>
-std::string cell_of(const std::optional<T>& value) {
-    return value ? cell_of(*value) : std::string();
+void append(std::string& out, const std::optional<T>& value) {
+    if (value) append(out, *value);
 }
 
+template <typename T>
+struct IsNumber : std::bool_constant<std::is_arithmetic_v<T> && !std::is_same_v<T, char>> {};
+template <typename T>
+struct IsNumber<std::optional<T>> : IsNumber<T> {};
+
+template <typename Member>
+struct MemberTraits;
+template <typename R, typename T>
+struct MemberTraits<T R::*> {
+    using Record = R;
+    static constexpr bool kNumber = IsNumber<T>::value;
+};
+
 template <auto kMember>
-std::string of(const auto& record) {
-    return cell_of(record.*kMember);
-}
+using RecordOf = typename MemberTraits<decltype(kMember)>::Record;
 template <auto kMember>
-std::string of_trial(const TrialRow& row) {
-    return cell_of(row.trial->*kMember);
-}
+constexpr bool is_number_v = MemberTraits<decltype(kMember)>::kNumber;
+
 template <auto kMember>
-std::string of_session(const TrialRow& row) {
-    return cell_of(row.session->*kMember);
-}
+const ExportCell<RecordOf<kMember>> of{
+    [](const RecordOf<kMember>& record, std::string& out) { append(out, record.*kMember); },
+    is_number_v<kMember>};
 template <auto kMember>
-std::string of_shown(const ConditionRow& row) {
-    return cell_of(row.shown.*kMember);
-}
+const ExportCell<TrialRow> of_trial{
+    [](const TrialRow& row, std::string& out) { append(out, row.trial->*kMember); },
+    is_number_v<kMember>};
+template <auto kMember>
+const ExportCell<TrialRow> of_session{
+    [](const TrialRow& row, std::string& out) { append(out, row.session->*kMember); },
+    is_number_v<kMember>};
+template <auto kMember>
+const ExportCell<ConditionRow> of_shown{
+    [](const ConditionRow& row, std::string& out) { append(out, row.shown.*kMember); },
+    is_number_v<kMember>};
 
 const Levels kYesNo{{"1", "yes"}, {"0", "no"}};
 const Levels kSubjectKinds{{"participant", "a person took part"},
@@ -71,6 +95,10 @@ constexpr const char* kExclusion =
     "The study file's rule on whom to leave out, as JSON: smallest share of catch trials answered "
     "as expected, of repeated pairs answered alike, smallest median response time in seconds; "
     "empty: no rule";
+constexpr const char* kExpected =
+    "Variant that an attentive observer picks; empty: no attention check";
+constexpr const char* kRepeats =
+    "Condition whose answer this one repeats, which is then no vote; empty: none";
 constexpr const char* kVariant = "Technique and samples of variant ";
 
 }  // namespace
@@ -78,7 +106,7 @@ constexpr const char* kVariant = "Technique and samples of variant ";
 const ExportTable<ParticipantRecord>& participants_export() {
     using R = ParticipantRecord;
     static const ExportTable<R> table{
-        "participants.csv",
+        "participants",
         {
             {"participant_id",
              "Name of the participant, made by the program",
@@ -90,12 +118,14 @@ const ExportTable<ParticipantRecord>& participants_export() {
              "Age as given in the form; empty: not said",
              {},
              "years",
-             of<&R::age_years>},
+             of<&R::age_years>,
+             true},
             {"gender",
              "Gender in the participant's own words; empty: not said",
              {},
              "",
-             of<&R::gender>},
+             of<&R::gender>,
+             true},
             {"normal_vision", "Normal or corrected-to-normal vision; empty: not said", kYesNo, "",
              of<&R::normal_vision>},
             {"naive", "Naive to the purpose of the study; empty: not said", kYesNo, "",
@@ -105,7 +135,8 @@ const ExportTable<ParticipantRecord>& participants_export() {
              std::string(kUtc) + ", when the form was sent",
              {},
              "",
-             of<&R::created_utc>},
+             of<&R::created_utc>,
+             true},
         }};
     return table;
 }
@@ -113,11 +144,11 @@ const ExportTable<ParticipantRecord>& participants_export() {
 const ExportTable<SessionRecord>& sessions_export() {
     using R = SessionRecord;
     static const ExportTable<R> table{
-        "sessions.csv",
+        "sessions",
         {
             {"session_id", "Name of the session, made by the program", {}, "", of<&R::session_id>},
             {"participant_id",
-             "Participant, as in participants.csv",
+             "Participant, as in the table participants",
              {},
              "",
              of<&R::participant_id>},
@@ -133,7 +164,7 @@ const ExportTable<SessionRecord>& sessions_export() {
              "",
              of<&R::order>},
             {"seed", kSeed, {}, "", of<&R::seed>},
-            {"slot", "Place in the sequence of orders, from 0", {}, "", of<&R::slot>},
+            {"slot", "Place in the sequence of orders, from 0", {}, "", of<&R::slot>, true},
             {"latin_square", kSquare, {}, "", of<&R::latin_square>},
             {"latin_row", kRow, {}, "", of<&R::latin_row>},
             {"swapped", kSwapped, kYesNo, "", of<&R::swapped>},
@@ -143,8 +174,13 @@ const ExportTable<SessionRecord>& sessions_export() {
              "",
              of<&R::condition_count>},
             {"state", "How the session ended", kStates, "", of<&R::state>},
-            {"started_utc", std::string(kUtc) + ", start", {}, "", of<&R::started_utc>},
-            {"ended_utc", std::string(kUtc) + ", end; empty while open", {}, "", of<&R::ended_utc>},
+            {"started_utc", std::string(kUtc) + ", start", {}, "", of<&R::started_utc>, true},
+            {"ended_utc",
+             std::string(kUtc) + ", end; empty while open",
+             {},
+             "",
+             of<&R::ended_utc>,
+             true},
             {"software", "Name and version of the program", {}, "", of<&R::software>},
             {"operating_system", "Operating system", {}, "", of<&R::operating_system>},
             {"gpu_renderer", "Renderer string of the OpenGL driver", {}, "", of<&R::gpu_renderer>},
@@ -163,14 +199,14 @@ const ExportTable<TrialRow>& trials_export() {
     using T = TrialRecord;
     using S = SessionRecord;
     static const ExportTable<TrialRow> table{
-        "trials.csv",
+        "trials",
         {
             {"participant_id",
-             "Participant, as in participants.csv",
+             "Participant, as in the table participants",
              {},
              "",
              of_session<&S::participant_id>},
-            {"session_id", "Session, as in sessions.csv", {}, "", of_trial<&T::session_id>},
+            {"session_id", "Session, as in the table sessions", {}, "", of_trial<&T::session_id>},
             {"trial_index",
              "Place of the trial in the session, from 0",
              {},
@@ -189,9 +225,10 @@ const ExportTable<TrialRow>& trials_export() {
              "Which image was chosen, by the order of showing",
              {{"first", "the image shown first"}, {"second", "the image shown second"}},
              "",
-             [](const TrialRow& row) -> std::string {
-                 return row.trial->response_first ? "first" : "second";
-             }},
+             {[](const TrialRow& row, std::string& out) {
+                  out += row.trial->response_first ? "first" : "second";
+              },
+              false}},
             {"response_time (s)",
              "From the question's appearance to the answer",
              {},
@@ -258,17 +295,10 @@ const ExportTable<TrialRow>& trials_export() {
              std::string(kUtc) + ", of the answer",
              {},
              "",
-             of_trial<&T::answered_utc>},
-            {"expected", "Variant that an attentive observer picks; empty: no catch trial", kSides,
-             "",
-             [](const TrialRow& row) -> std::string {
-                 return row.trial->expected == '\0' ? "" : cell_of(row.trial->expected);
-             }},
-            {"repeats",
-             "Condition whose answer this one repeats, which is then no vote; empty: none",
-             {},
-             "",
-             of_trial<&T::repeats>},
+             of_trial<&T::answered_utc>,
+             true},
+            {"expected", kExpected, kSides, "", of_trial<&T::expected>},
+            {"repeats", kRepeats, {}, "", of_trial<&T::repeats>},
             {"exclusion", kExclusion, {}, "", of_session<&S::exclusion>},
         }};
     return table;
@@ -278,7 +308,7 @@ const ExportTable<ConditionRow>& conditions_export() {
     using R = ConditionRow;
     using T = TrialRecord;
     static const ExportTable<R> table{
-        "conditions.csv",
+        "conditions",
         {
             {"study", "Name of the study", {}, "", of<&R::study>},
             {"condition", "Name of the condition", {}, "", of_shown<&T::condition>},
@@ -292,54 +322,44 @@ const ExportTable<ConditionRow>& conditions_export() {
              of_shown<&T::validity>},
             {"condition_A", kVariant + std::string("A"), {}, "", of_shown<&T::condition_A>},
             {"condition_B", kVariant + std::string("B"), {}, "", of_shown<&T::condition_B>},
+            {"expected", kExpected, kSides, "", of_shown<&T::expected>},
+            {"repeats", kRepeats, {}, "", of_shown<&T::repeats>},
             {"kind", "What the answers are worth", kTrialKinds, "", of<&R::kind>},
             {"count_A",
              "Votes for variant A in completed sessions",
              {},
              "votes",
-             [](const R& row) { return cell_of(row.votes.a); }},
+             {[](const R& row, std::string& out) { append(out, row.votes.a); }, true}},
             {"count_B",
              "Votes for variant B in completed sessions",
              {},
              "votes",
-             [](const R& row) { return cell_of(row.votes.b); }},
+             {[](const R& row, std::string& out) { append(out, row.votes.b); }, true}},
         }};
     return table;
 }
 
-std::vector<TrialRow> trial_rows(const StoreContents& contents) {
-    std::map<std::string, const SessionRecord*> sessions;
-    for (const SessionRecord& session : contents.sessions) sessions[session.session_id] = &session;
-    std::vector<TrialRow> rows;
-    for (const TrialRecord& trial : contents.trials) {
-        const auto session = sessions.find(trial.session_id);
-        // The sessions are read before the trials: one begun in between waits for the next export.
-        if (session != sessions.end()) rows.push_back({&trial, session->second});
-    }
-    return rows;
+void ConditionCounter::add(const TrialRecord& trial, const SessionRecord& session) {
+    ConditionRow& row = entry_of(trial, session);
+    if (session.state != SessionState::kCompleted) return;
+    ++(trial.is_A_selected ? row.votes.a : row.votes.b);
 }
 
-std::vector<ConditionRow> condition_rows(const StoreContents& contents) {
-    std::vector<ConditionRow> rows;
-    for (const TrialRow& row : trial_rows(contents)) {
-        const TrialRecord& trial = *row.trial;
-        const auto same = [&](const ConditionRow& other) {
-            const TrialRecord& shown = other.shown;
-            return other.study == row.session->study && other.kind == trial.kind &&
-                   std::tie(shown.condition, shown.hypothesis, shown.scene, shown.validity,
-                            shown.condition_A, shown.condition_B) ==
-                       std::tie(trial.condition, trial.hypothesis, trial.scene, trial.validity,
-                                trial.condition_A, trial.condition_B);
-        };
-        auto entry = std::find_if(rows.begin(), rows.end(), same);
-        if (entry == rows.end()) {
-            rows.push_back({row.session->study, trial.kind, trial, {}});
-            entry = rows.end() - 1;
+ConditionRow& ConditionCounter::entry_of(const TrialRecord& trial, const SessionRecord& session) {
+    const auto described = [](const TrialRecord& shown) {
+        return std::tie(shown.hypothesis, shown.scene, shown.validity, shown.condition_A,
+                        shown.condition_B, shown.expected, shown.repeats);
+    };
+    std::vector<std::size_t>& places = places_[trial.condition];
+    for (const std::size_t place : places) {
+        ConditionRow& row = rows_[place];
+        if (row.kind == trial.kind && row.study == session.study &&
+            described(row.shown) == described(trial)) {
+            return row;
         }
-        if (row.session->state != SessionState::kCompleted) continue;
-        ++(trial.is_A_selected ? entry->votes.a : entry->votes.b);
     }
-    return rows;
+    places.push_back(rows_.size());
+    return rows_.emplace_back(ConditionRow{session.study, trial.kind, trial, {}});
 }
 
 }  // namespace obscura::analysis

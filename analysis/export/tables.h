@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,14 @@
 #include "analysis/statistics/possible.h"
 
 namespace obscura::analysis {
+
+/// How a row's cell is written.
+template <typename Row>
+struct ExportCell {
+    /// Adds its text; nothing: not known.
+    std::function<void(const Row& row, std::string& out)> append;
+    bool number;  ///< the text is a number; a yes or no is 1 or 0
+};
 
 /// One column of an exported table: its cells and its entry in the data dictionary are made from
 /// here and nowhere else.
@@ -19,12 +29,13 @@ struct ExportColumn {
     std::string description;
     std::vector<std::pair<std::string, std::string>> levels;  ///< value and meaning; may be empty
     std::string units;                                        ///< empty: has none
-    std::string (*cell)(const Row&);                          ///< empty text: not known
+    ExportCell<Row> cell;
+    bool personal = false;  ///< may tell who it was: not in an anonymous export
 };
 
 template <typename Row>
 struct ExportTable {
-    std::string file;
+    std::string name;  ///< of the file, without its ending
     std::vector<ExportColumn<Row>> columns;
 };
 
@@ -32,6 +43,9 @@ struct ExportTable {
 struct TrialRow {
     const TrialRecord* trial = nullptr;
     const SessionRecord* session = nullptr;
+    std::size_t number = 0;                   ///< of the row in its file, from 1
+    const std::string* first_file = nullptr;  ///< image shown first; nullptr: not known
+    const std::string* second_file = nullptr;
 };
 
 /// A condition as it was shown, with its votes in completed sessions.
@@ -47,11 +61,18 @@ struct ConditionRow {
 [[nodiscard]] const ExportTable<TrialRow>& trials_export();
 [[nodiscard]] const ExportTable<ConditionRow>& conditions_export();
 
-/// Every trial with its session, in the store's order. The rows point into `contents`.
-[[nodiscard]] std::vector<TrialRow> trial_rows(const StoreContents& contents);
-
 /// Every condition that was shown, one row for each study, kind and way it was described, in order
-/// of the first showing.
-[[nodiscard]] std::vector<ConditionRow> condition_rows(const StoreContents& contents);
+/// of the first showing, with its votes.
+class ConditionCounter {
+  public:
+    void add(const TrialRecord& trial, const SessionRecord& session);
+    [[nodiscard]] const std::vector<ConditionRow>& rows() const { return rows_; }
+
+  private:
+    ConditionRow& entry_of(const TrialRecord& trial, const SessionRecord& session);
+
+    std::vector<ConditionRow> rows_;
+    std::unordered_map<std::string, std::vector<std::size_t>> places_;  ///< by condition
+};
 
 }  // namespace obscura::analysis

@@ -11,14 +11,19 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/report/participants.h"
+#include "analysis/report/resampled.h"
+#include "analysis/report/run_power.h"
 #include "analysis/report/same_participants.h"
 #include "analysis/report/variant_scales.h"
+#include "analysis/report/verdicts.h"
 #include "analysis/statistics/benjamini_hochberg.h"
 #include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
 #include "analysis/statistics/fisher_exact.h"
 #include "analysis/statistics/holm.h"
+#include "analysis/statistics/share_difference.h"
 
 namespace obscura::analysis {
 namespace {
@@ -46,7 +51,8 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
     std::vector<double> family;
     for (const ConditionVotes& condition : tally.conditions) {
         ConditionResult result;
-        result.condition = condition;
+        result.condition = {condition.id,        condition.hypothesis, condition.validity,
+                            condition.variant_a, condition.variant_b,  condition.votes};
         result.preference = preference_of(condition.votes);
         if (result.preference.chi_square.has_value()) {
             family.push_back(result.preference.chi_square->p.p);
@@ -159,7 +165,9 @@ std::vector<Family> families_of(const Tally& tally) {
 }
 
 Comparison by_level(const Family& family) {
-    Comparison comparison{family.front()->variant_a, family.front()->variant_b, {}, {}, {}};
+    Comparison comparison;
+    comparison.variant_a = family.front()->variant_a;
+    comparison.variant_b = family.front()->variant_b;
     for (const ConditionVotes* condition : family) {
         if (comparison.levels.empty() || comparison.levels.back() != condition->validity) {
             comparison.levels.push_back(condition->validity);
@@ -175,6 +183,24 @@ Comparison by_level(const Family& family) {
     }
     comparison.same_participants = same_participants(family);
     return comparison;
+}
+
+/// Of every two levels, from counts.
+std::vector<LevelDifference> differences_of(const Comparison& comparison) {
+    std::vector<LevelDifference> differences;
+    for (std::size_t from = 0; from < comparison.votes.size(); ++from) {
+        for (std::size_t to = from + 1; to < comparison.votes.size(); ++to) {
+            const Votes& one = comparison.votes[from];
+            const Votes& other = comparison.votes[to];
+            const auto interval = share_difference(one, other, kConfidence);
+            if (!interval.has_value()) continue;
+            const double difference =
+                static_cast<double>(other.b) / static_cast<double>(other.n()) -
+                static_cast<double>(one.b) / static_cast<double>(one.n());
+            differences.push_back({from, to, difference, *interval, false});
+        }
+    }
+    return differences;
 }
 
 /// With the test that fits what is known.
@@ -206,6 +232,8 @@ ValidityResult test_validity(const Tally& tally) {
     for (const Family& family : families_of(tally)) {
         if (family.front()->validity == family.back()->validity) continue;
         result.by_level.push_back(by_level(family));
+        result.by_level.back().differences = differences_of(result.by_level.back());
+        if (family.size() > kMostPairedConditions) continue;
         for (std::size_t i = 0; i < family.size(); ++i) {
             for (std::size_t j = i + 1; j < family.size(); ++j) {
                 if (family[i]->validity == family[j]->validity) continue;
@@ -229,23 +257,104 @@ std::vector<OrderStratum> order_strata(const Tally& tally) {
     return strata;
 }
 
-}  // namespace
+/// Each hypothesis's votes for B less those for A, of each participant.
+void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
+    std::map<std::string_view, HypothesisResult*> by_name;
+    for (HypothesisResult& result : hypotheses) by_name.emplace(result.name, &result);
+    for (const auto& [name, result] : by_name) {
+        std::vector<std::int64_t> differences(tally.participants.size());
+        for (const ConditionVotes& condition : tally.conditions) {
+            if (condition.hypothesis != name) continue;
+            for (const Answer& answer : condition.answers) {
+                differences[static_cast<std::size_t>(answer.participant)] +=
+                    answer.chose_b ? 1 : -1;
+            }
+        }
+        result->by_participant = sign_flip(differences);
+    }
+}
 
-Analysis analyse(const Tally& tally) {
+/// What needs to know who gave each answer.
+void analyse_participants(Analysis& analysis, std::uint64_t seed) {
+    const Tally& tally = analysis.tally;
+    const VotesByParticipant votes(tally);
+    test_participants(analysis.hypotheses, tally);
+    analysis.attention = attention_of(tally, votes);
+    analysis.response_times = response_times(tally, votes);
+    analysis.learning = learning_of(tally, votes);
+    resample(analysis, votes, seed);
+}
+
+/// The analysis of all who are in the tally.
+Analysis analyse_all(Tally tally, std::uint64_t seed) {
     Analysis analysis;
-    analysis.tally = tally;
-    analysis.conditions = test_conditions(tally);
+    analysis.tally = std::move(tally);
+    analysis.conditions = test_conditions(analysis.tally);
     analysis.sentence = sentence_of(analysis.conditions);
     analysis.hypotheses = test_hypotheses(analysis.conditions);
-    analysis.validity = test_validity(tally);
-    analysis.scales = variant_scales(tally);
-    if (tally.order.has_value()) {
-        analysis.order_bias =
-            OrderBias{*tally.order, exact_binomial(tally.order->second_chosen, tally.order->n),
-                      order_bias(order_strata(tally))};
+    analysis.validity = test_validity(analysis.tally);
+    analysis.scales = variant_scales(analysis.tally);
+    const Possible<OrderVotes>& order = analysis.tally.order;
+    if (order.has_value()) {
+        analysis.order_bias = OrderBias{*order, exact_binomial(order->second_chosen, order->n),
+                                        order_bias(order_strata(analysis.tally))};
     } else {
-        analysis.order_bias = Possible<OrderBias>::none(tally.order.reason);
+        analysis.order_bias = Possible<OrderBias>::none(order.reason);
     }
+    analysis.resampling.seed = seed;
+    if (analysis.tally.participants.empty()) {
+        const char* const why = "the answers of each participant are not known";
+        analysis.response_times = Possible<ResponseTimes>::none(why);
+        analysis.learning = Possible<Learning>::none(why);
+        for (HypothesisResult& result : analysis.hypotheses) {
+            result.by_participant = Possible<SignFlipTest>::none(why);
+            result.resampled = Possible<Bounds>::none(why);
+        }
+        for (VariantScale& scale : analysis.scales) {
+            scale.resampled_jod = Possible<std::vector<Bounds>>::none(why);
+        }
+    } else {
+        analyse_participants(analysis, seed);
+    }
+    analysis.power = run_power(analysis.conditions, analysis.hypotheses);
+    analysis.verdicts = verdicts_of(analysis);
+    return analysis;
+}
+
+std::vector<bool> left_out_by(const Attention& attention) {
+    std::vector<bool> left_out;
+    for (const ParticipantResult& who : attention.participants) {
+        left_out.push_back(!who.left_out.empty());
+    }
+    return left_out;
+}
+
+}  // namespace
+
+Analysis analyse(Tally tally, std::uint64_t seed) {
+    Analysis everybody = analyse_all(std::move(tally), seed);
+    if (!everybody.tally.exclusion.has_value()) {
+        everybody.exclusions = Possible<Exclusions>::none(everybody.tally.exclusion.reason);
+        return everybody;
+    }
+    const std::vector<bool> left_out = left_out_by(*everybody.attention);
+    Exclusions exclusions;
+    exclusions.rule = *everybody.tally.exclusion;
+    exclusions.participants = static_cast<std::int64_t>(left_out.size());
+    exclusions.left_out = std::count(left_out.begin(), left_out.end(), true);
+    if (exclusions.left_out == 0) {
+        everybody.exclusions = exclusions;
+        return everybody;
+    }
+    Tally kept = without(everybody.tally, left_out);
+    for (ConditionVotes& condition : everybody.tally.conditions) {
+        condition.answers = std::vector<Answer>();
+    }
+    Analysis analysis = analyse_all(std::move(kept), seed);
+    analysis.attention = everybody.attention;
+    exclusions.changes = changed_conclusions(analysis, everybody);
+    exclusions.everybody = std::make_shared<const Analysis>(std::move(everybody));
+    analysis.exclusions = exclusions;
     return analysis;
 }
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/statistics/bayes_factor.h"
@@ -12,6 +15,10 @@
 #include "analysis/statistics/paired_scale.h"
 #include "analysis/statistics/possible.h"
 #include "analysis/statistics/posterior.h"
+#include "analysis/statistics/power.h"
+#include "analysis/statistics/quartiles.h"
+#include "analysis/statistics/sign_flip.h"
+#include "analysis/statistics/stratified_logistic.h"
 #include "analysis/statistics/wilson.h"
 #include "analysis/tally.h"
 
@@ -35,7 +42,7 @@ struct Preference {
 };
 
 struct ConditionResult {
-    ConditionVotes condition;
+    ConditionVotes condition;  ///< without its answers, which Analysis::tally has
     Preference preference;
     /// The chi-square p-value after Holm's correction over all conditions that have one.
     Possible<double> p_holm = Possible<double>::none("no votes");
@@ -48,6 +55,10 @@ struct HypothesisResult {
     std::string name;
     std::vector<std::string> conditions;
     Preference pooled;
+    /// Of participants instead of votes: those of one participant may hang together.
+    Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
+    /// Of the pooled share of B, by drawing participants anew.
+    Possible<Bounds> resampled = Possible<Bounds>::none("not known");
     int significant = 0;       ///< conditions with p below the level
     int significant_holm = 0;  ///< those still below it after Holm's correction
     std::string sentence;
@@ -63,6 +74,15 @@ struct SameParticipants {
     Votes changed;
 };
 
+/// By how much the share of B differs between two levels.
+struct LevelDifference {
+    std::size_t from = 0;  ///< place in Comparison::levels
+    std::size_t to = 0;
+    double difference = 0.0;    ///< share at `to` less share at `from`, -1 to 1
+    Bounds interval;            ///< 95 %
+    bool is_resampled = false;  ///< by drawing participants anew; else Newcombe's, from counts
+};
+
 /// Does the share of B differ between conditions that show the same two variants?
 struct Comparison {
     std::string variant_a;
@@ -76,6 +96,7 @@ struct Comparison {
     Possible<PValue> fisher = Possible<PValue>::none("not two rows");
     /// The test to read where there is one.
     Possible<SameParticipants> same_participants = Possible<SameParticipants>::none("not known");
+    std::vector<LevelDifference> differences;  ///< of every two levels with votes
 };
 
 /// The p-value to read: Cochran's Q over more than two rows and McNemar's test over two where the
@@ -89,10 +110,14 @@ struct Comparison {
 struct ValidityResult {
     /// For each pair of variants shown at two levels or more: the votes of a level together.
     std::vector<Comparison> by_level;
-    /// Every two conditions with the same variants and different levels.
+    /// Every two conditions with the same variants and different levels, where those are no more
+    /// than kMostPairedConditions.
     std::vector<Comparison> by_pair;
     std::string sentence;
 };
+
+/// Conditions with the same variants beyond which they are not compared two by two.
+inline constexpr std::size_t kMostPairedConditions = 20;
 
 struct OrderBias {
     OrderVotes votes;
@@ -106,6 +131,134 @@ struct VariantScale {
     std::vector<std::string> variants;                                  ///< the reference first
     Possible<Scale> bradley_terry = Possible<Scale>::none("no votes");  ///< in log odds
     Possible<Scale> thurstone = Possible<Scale>::none("no votes");      ///< in JOD
+    /// 95 % of each variant's JOD, by drawing participants anew; the reference's is 0 to 0.
+    Possible<std::vector<Bounds>> resampled_jod = Possible<std::vector<Bounds>>::none("not known");
+};
+
+/// How attentive and how fast one participant was.
+struct ParticipantResult {
+    std::string id;
+    std::int64_t votes = 0;
+    Successes catch_trials;   ///< with the expected answer
+    Successes repeats;        ///< with the same answer again
+    Successes with_majority;  ///< votes that are those of most others in their condition
+    Possible<double> median_time_s = Possible<double>::none("no response times");
+    std::vector<std::string> left_out;  ///< why the study's rule leaves him out; empty: it does not
+};
+
+/// How attentive the participants were. Quartiles are of the participants' own shares.
+struct Attention {
+    std::vector<ParticipantResult> participants;  ///< all of them, also those left out
+    Successes catch_trials;                       ///< of all together
+    Successes repeats;
+    Possible<Quartiles> catch_share = Possible<Quartiles>::none("no values");
+    Possible<Quartiles> repeat_share = Possible<Quartiles>::none("no values");
+    Possible<Quartiles> majority_share = Possible<Quartiles>::none("no values");
+};
+
+/// Response times in s, of participants: each gives one, the median of his own.
+struct TimeSummary {
+    Quartiles seconds;
+    /// 95 % of the median, from order statistics: no assumption on the times but that participants
+    /// are independent.
+    Possible<Bounds> median_interval = Possible<Bounds>::none("too few values");
+};
+
+struct ResponseTimes {
+    TimeSummary overall;
+    std::vector<Possible<TimeSummary>> by_condition;  ///< as Analysis::conditions
+};
+
+/// Answers of a participant below which his times show no trend.
+inline constexpr std::size_t kFewestForTrend = 3;
+
+/// How a participant's response time changes from one trial to the next: the median slope over the
+/// participants, each with the median slope of his own times.
+struct TimeTrend {
+    std::int64_t participants = 0;
+    double slope_s = 0.0;  ///< seconds for each further trial
+    Possible<Bounds> interval = Possible<Bounds>::none("too few values");  ///< 95 %
+};
+
+/// What changes over the session.
+struct Learning {
+    Possible<TimeTrend> time = Possible<TimeTrend>::none("not known");
+    /// Log odds of choosing B for each further trial, with a term for each condition.
+    Possible<StratifiedSlope> choice = Possible<StratifiedSlope>::none("not known");
+};
+
+/// Shares at which the power of what was run is said, and the smallest that a study is taken to
+/// care about: a share of B of at least this, or at most as far below one half.
+inline constexpr double kPowerShares[] = {.60, .65, .70, .75};
+inline constexpr double kRelevantShare = .65;
+/// The power that is asked for.
+inline constexpr double kAskedPower = .8;
+
+/// What the number of votes that a condition got could show.
+struct RunPower {
+    struct At {
+        double share = 0.0;
+        TestPower exact;
+        TestPower chi_square;
+        TestPower
+            holm;  ///< exact, at the level that passes Holm's correction whatever the others do
+    };
+    /// Participants who would have been needed for kAskedPower at the share that was observed.
+    struct Needed {
+        std::string name;  ///< of the condition or hypothesis
+        double share_b = 0.0;
+        Possible<std::int64_t> exact = Possible<std::int64_t>::none("not known");
+        Possible<std::int64_t> holm = Possible<std::int64_t>::none("not known");
+    };
+    std::int64_t n = 0;      ///< votes of a condition: the median over those that have any
+    std::size_t tests = 1;   ///< conditions that are tested
+    std::vector<At> shares;  ///< as kPowerShares
+    /// The smallest share that n votes detect with kAskedPower.
+    Possible<double> detectable = Possible<double>::none("no share");
+    Possible<double> detectable_holm = Possible<double>::none("no share");
+    std::vector<Needed> conditions;
+    std::vector<Needed> hypotheses;  ///< for the pooled share, one vote a participant
+};
+
+/// What the answers say about a hypothesis.
+enum class Conclusion { kNoEvidence, kEvidenceFor, kEvidenceAgainst, kTooFew };
+
+/// `no evidence`, `evidence for`, `evidence against`, `too few participants to say`.
+[[nodiscard]] std::string_view to_string(Conclusion conclusion);
+
+struct Verdict {
+    std::string hypothesis;
+    Conclusion conclusion = Conclusion::kTooFew;
+    /// Of the test that the verdict rests on; of H3, of the comparison with the smallest.
+    Possible<PValue> p = Possible<PValue>::none("no votes");
+    /// After Holm's correction over the tests of all verdicts.
+    Possible<double> p_holm = Possible<double>::none("no votes");
+    std::string sentence;  ///< with the conclusion and its numbers
+};
+
+/// A difference between two levels of validity that a study is taken to care about: as from one
+/// half to kRelevantShare.
+inline constexpr double kRelevantDifference = .15;
+
+/// How verdicts are reached, in words.
+[[nodiscard]] std::string verdict_rule();
+
+struct Analysis;
+
+/// Whom the study's rule leaves out, and what that changes.
+struct Exclusions {
+    ExclusionRule rule;
+    std::int64_t participants = 0;  ///< before
+    std::int64_t left_out = 0;
+    std::vector<std::string> changes;  ///< conclusions that differ, each in a sentence
+    /// The same analysis of everybody; nothing where the rule leaves nobody out.
+    std::shared_ptr<const Analysis> everybody;
+};
+
+/// How participants are drawn anew for intervals.
+struct ResamplingResult {
+    std::uint64_t seed = 0;
+    Possible<int> draws = Possible<int>::none("the answers of each participant are not known");
 };
 
 /// The answers to the study's questions.
@@ -117,9 +270,23 @@ struct Analysis {
     ValidityResult validity;
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
     std::vector<VariantScale> scales;  ///< one for each group that pairs connect, with votes
+    std::vector<Verdict> verdicts;     ///< in order of the hypotheses, H3 among them
+    Possible<RunPower> power = Possible<RunPower>::none("no votes");
+    /// Nothing where only counts are known.
+    Possible<Attention> attention = Possible<Attention>::none("counts do not say who voted");
+    Possible<ResponseTimes> response_times = Possible<ResponseTimes>::none("not known");
+    Possible<Learning> learning = Possible<Learning>::none("not known");
+    /// What the study's rule does. The analysis is of those who stay.
+    Possible<Exclusions> exclusions = Possible<Exclusions>::none("no rule");
+    ResamplingResult resampling;
 };
 
-[[nodiscard]] Analysis analyse(const Tally& tally);
+/// The seed of all draws of an analysis, unless another is given.
+inline constexpr std::uint64_t kAnalysisSeed = 20100501;
+
+/// Linear in the votes. Where the sessions carry a rule of exclusion, the analysis is of the
+/// participants whom it leaves in, and Exclusions::everybody that of all.
+[[nodiscard]] Analysis analyse(Tally tally, std::uint64_t seed = kAnalysisSeed);
 
 /// A table for people, with what was tested in words. Ends with a line feed.
 [[nodiscard]] std::string text_report(const Analysis& analysis);

@@ -1,48 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
-
 #include "analysis/report/analysis.h"
+#include "analysis/report/json_sections.h"
 
 namespace obscura::analysis {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// NAME: null and NAME_reason, where there is no value.
-void put_none(Json& object, const std::string& name, const std::string& reason) {
-    object[name] = nullptr;
-    object[name + "_reason"] = reason;
-}
-
-template <typename T>
-void put(Json& object, const std::string& name, const Possible<T>& value) {
-    if (value.has_value()) {
-        object[name] = *value;
-    } else {
-        put_none(object, name, value.reason);
-    }
-}
-
-void put_p(Json& object, const std::string& name, const Possible<PValue>& value) {
-    if (value.has_value()) {
-        object[name] = value->p;
-        object["log10_" + name] = value->log10_p;
-    } else {
-        put_none(object, name, value.reason);
-    }
-}
-
-/// NAME_low and NAME_high.
-void put_interval(Json& object, const std::string& name, const Possible<Interval>& interval) {
-    if (interval.has_value()) {
-        object[name + "_low"] = interval->low;
-        object[name + "_high"] = interval->high;
-    } else {
-        put_none(object, name + "_low", interval.reason);
-        put_none(object, name + "_high", interval.reason);
-    }
-}
 
 void put_chi_square(Json& object, const Possible<ChiSquareTest>& test) {
     if (!test.has_value()) {
@@ -60,7 +22,7 @@ void put_chi_square(Json& object, const Possible<ChiSquareTest>& test) {
 void put_belief(Json& object, const Preference& preference) {
     if (preference.posterior.has_value()) {
         object["posterior_mean"] = preference.posterior->mean;
-        put_interval(object, "posterior", preference.posterior->interval);
+        put_interval(object, "posterior", Possible<Interval>(preference.posterior->interval));
         put_p(object, "probability_b_preferred", preference.posterior->above_half);
     } else {
         for (const char* name :
@@ -107,6 +69,14 @@ Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
     put_preference(object, result.pooled);
+    if (result.by_participant.has_value()) {
+        object["n_participants_with_preference"] = result.by_participant->participants;
+        object["by_participant_exact"] = result.by_participant->is_exact;
+        put_p(object, "p_by_participant", Possible<PValue>(result.by_participant->p));
+    } else {
+        put_none(object, "p_by_participant", result.by_participant.reason);
+    }
+    put_interval(object, "resampled_share_b", result.resampled);
     object["n_significant"] = result.significant;
     object["n_significant_holm"] = result.significant_holm;
     object["sentence"] = result.sentence;
@@ -158,6 +128,15 @@ Json comparison_json(const Comparison& comparison) {
         object["same_participants"] = same_participants_json(*comparison.same_participants);
     } else {
         put_none(object, "same_participants", comparison.same_participants.reason);
+    }
+    object["differences"] = Json::array();
+    for (const LevelDifference& difference : comparison.differences) {
+        object["differences"].push_back({{"from", comparison.levels[difference.from]},
+                                         {"to", comparison.levels[difference.to]},
+                                         {"difference", difference.difference},
+                                         {"difference_low", difference.interval.low},
+                                         {"difference_high", difference.interval.high},
+                                         {"resampled", difference.is_resampled}});
     }
     put_p(object, "p", p_of(comparison));
     object["test"] = test_words(comparison);
@@ -220,7 +199,36 @@ Json scale_json(const VariantScale& scale) {
     object["reference"] = scale.variants.front();
     put_scale(object, "bradley_terry", scale.variants, scale.bradley_terry);
     put_scale(object, "thurstone_jod", scale.variants, scale.thurstone);
+    if (scale.resampled_jod.has_value() && scale.thurstone.has_value()) {
+        for (std::size_t i = 0; i < scale.variants.size(); ++i) {
+            object["thurstone_jod"][i]["resampled_low"] = (*scale.resampled_jod)[i].low;
+            object["thurstone_jod"][i]["resampled_high"] = (*scale.resampled_jod)[i].high;
+        }
+    } else {
+        put_none(object, "resampled_jod", scale.resampled_jod.reason);
+    }
     return object;
+}
+
+/// What the answers say, without who gave them.
+void put_results(Json& report, const Analysis& analysis) {
+    put(report, "n_participants", analysis.tally.n_participants);
+    report["conditions"] = Json::array();
+    for (const ConditionResult& result : analysis.conditions) {
+        report["conditions"].push_back(condition_json(result));
+    }
+    report["sentence"] = analysis.sentence;
+    report["hypotheses"] = Json::object();
+    for (const HypothesisResult& result : analysis.hypotheses) {
+        report["hypotheses"][result.name] = hypothesis_json(result);
+    }
+    add_validity(report["hypotheses"]["H3"], analysis.validity);
+    for (const Verdict& verdict : analysis.verdicts) {
+        put_verdict(report["hypotheses"][verdict.hypothesis], verdict);
+    }
+    put_order_bias(report, analysis.order_bias);
+    report["scales"] = Json::array();
+    for (const VariantScale& scale : analysis.scales) report["scales"].push_back(scale_json(scale));
 }
 
 }  // namespace
@@ -241,22 +249,20 @@ std::string json_report(const Analysis& analysis) {
         put_none(report, "kind", "the counts do not say");
         put_none(report, "simulated", "the counts do not say");
     }
-    put(report, "n_participants", tally.n_participants);
     report["significance_level"] = kSignificance;
     report["confidence"] = kConfidence;
-    report["conditions"] = Json::array();
-    for (const ConditionResult& result : analysis.conditions) {
-        report["conditions"].push_back(condition_json(result));
+    put_results(report, analysis);
+    report["verdict_rule"] = verdict_rule();
+    put_power(report, analysis.power);
+    put_attention(report, analysis.attention);
+    put_response_times(report, analysis);
+    put_learning(report, analysis.learning);
+    put_exclusions(report, analysis.exclusions);
+    if (analysis.exclusions.has_value() && analysis.exclusions->everybody) {
+        put_results(report["exclusions"]["everybody"], *analysis.exclusions->everybody);
     }
-    report["sentence"] = analysis.sentence;
-    report["hypotheses"] = Json::object();
-    for (const HypothesisResult& result : analysis.hypotheses) {
-        report["hypotheses"][result.name] = hypothesis_json(result);
-    }
-    add_validity(report["hypotheses"]["H3"], analysis.validity);
-    put_order_bias(report, analysis.order_bias);
-    report["scales"] = Json::array();
-    for (const VariantScale& scale : analysis.scales) report["scales"].push_back(scale_json(scale));
+    report["resampling_seed"] = analysis.resampling.seed;
+    put(report, "resampling_draws", analysis.resampling.draws);
     return report.dump(2) + '\n';
 }
 

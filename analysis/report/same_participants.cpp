@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <optional>
+#include <algorithm>
 #include <set>
+#include <span>
 
 #include "analysis/statistics/cochran_q.h"
 
@@ -14,9 +14,6 @@ namespace obscura::analysis {
 namespace {
 
 using Conditions = std::vector<const ConditionVotes*>;
-
-/// A participant's answer to each of the conditions, in their order; nothing: did not answer.
-using Row = std::vector<std::optional<bool>>;
 
 /// Why the conditions cannot be compared within participants; empty where they can.
 std::string obstacle(const Conditions& conditions) {
@@ -30,28 +27,39 @@ std::string obstacle(const Conditions& conditions) {
     return "";
 }
 
-Possible<std::map<std::int32_t, Row>> rows_of(const Conditions& conditions) {
-    using Rows = std::map<std::int32_t, Row>;
+/// The answers of each participant who gave any, in the conditions' order.
+struct Rows {
+    std::size_t conditions = 0;
+    std::vector<signed char> answers;  ///< row after row: 1 for B, 0 for A, -1 for none
+
+    [[nodiscard]] std::size_t size() const { return answers.size() / conditions; }
+    [[nodiscard]] std::span<const signed char> row(std::size_t number) const {
+        return std::span(answers).subspan(number * conditions, conditions);
+    }
+};
+
+Possible<Rows> rows_of(const Conditions& conditions) {
     Rows rows;
+    rows.conditions = conditions.size();
+    std::vector<std::int32_t> place;  // of each participant's row; -1: none yet
     for (std::size_t i = 0; i < conditions.size(); ++i) {
         for (const Answer& answer : conditions[i]->answers) {
-            Row& row = rows[answer.participant];
-            row.resize(conditions.size());
-            if (row[i].has_value()) {
+            const auto participant = static_cast<std::size_t>(answer.participant);
+            if (participant >= place.size()) place.resize(2 * participant + 1, -1);
+            if (place[participant] < 0) {
+                place[participant] = static_cast<std::int32_t>(rows.size());
+                rows.answers.resize(rows.answers.size() + conditions.size(), -1);
+            }
+            signed char& own =
+                rows.answers[static_cast<std::size_t>(place[participant]) * conditions.size() + i];
+            if (own >= 0) {
                 return Possible<Rows>::none(fmt::format(
                     "a participant answered condition {} more than once", conditions[i]->id));
             }
-            row[i] = answer.chose_b;
+            own = answer.chose_b ? 1 : 0;
         }
     }
     return rows;
-}
-
-bool is_complete(const Row& row) {
-    for (const auto& answer : row) {
-        if (!answer.has_value()) return false;
-    }
-    return true;
 }
 
 std::string who(const SameParticipants& same) {
@@ -95,24 +103,24 @@ Possible<SameParticipants> same_participants(const Conditions& conditions) {
     const auto rows = rows_of(conditions);
     if (!rows.has_value()) return None::none(rows.reason);
     SameParticipants same;
-    std::vector<std::vector<bool>> complete;
-    for (const auto& [participant, row] : *rows) {
-        if (!is_complete(row)) {
+    CochranSums sums(conditions.size());
+    for (std::size_t number = 0; number < rows->size(); ++number) {
+        const auto row = rows->row(number);
+        if (std::find(row.begin(), row.end(), -1) != row.end()) {
             ++same.incomplete;
             continue;
         }
-        std::vector<bool>& answers = complete.emplace_back();
-        for (const auto& answer : row) answers.push_back(*answer);
+        ++same.n;
+        sums.add(row);
+        if (row.front() > row.back()) ++same.changed.a;
+        if (row.front() < row.back()) ++same.changed.b;
     }
-    if (complete.empty()) return None::none("no participant answered all of the conditions");
-    same.n = static_cast<std::int64_t>(complete.size());
-    same.cochran_q = cochran_q(complete);
+    if (same.n == 0) return None::none("no participant answered all of the conditions");
+    same.cochran_q = cochran_q(sums);
     if (conditions.size() == 2) {
-        for (const std::vector<bool>& answers : complete) {
-            if (answers[0] && !answers[1]) ++same.changed.a;
-            if (!answers[0] && answers[1]) ++same.changed.b;
-        }
         same.mcnemar = mcnemar(same.changed);
+    } else {
+        same.changed = {};
     }
     return same;
 }

@@ -7,6 +7,7 @@
 
 #include "analysis/report/analysis.h"
 #include "analysis/report/text_layout.h"
+#include "analysis/report/text_sections.h"
 
 namespace obscura::analysis {
 namespace {
@@ -135,20 +136,28 @@ std::string belief_table(const Analysis& analysis) {
     return aligned(rows, 1);
 }
 
+std::string resampled_text(const Possible<std::vector<Bounds>>& intervals, std::size_t variant) {
+    if (!intervals.has_value()) return kNoValue;
+    const Bounds& own = (*intervals)[variant];
+    return fmt::format("{:+.4f} to {:+.4f}", own.low, own.high);
+}
+
 /// The variants of one connected group, or why they have no scale.
 std::string scale_text(const VariantScale& scale) {
     const std::string names = fmt::format("{}", fmt::join(scale.variants, ", "));
     if (!scale.thurstone.has_value()) {
         return wrapped(fmt::format("No scale of {}: {}.\n", names, scale.thurstone.reason));
     }
-    std::vector<TextRow> rows{{"variant", "JOD", "standard error", "log odds", "standard error"}};
+    std::vector<TextRow> rows{
+        {"variant", "JOD", "standard error", "log odds", "standard error", "JOD, resampled 95 %"}};
     for (std::size_t i = 0; i < scale.variants.size(); ++i) {
         const Possible<Scale>& odds = scale.bradley_terry;
         rows.push_back(
             {scale.variants[i], fmt::format("{:+.4f}", scale.thurstone->values[i]),
              fmt::format("{:.4f}", scale.thurstone->standard_errors[i]),
              odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoValue,
-             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoValue});
+             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoValue,
+             resampled_text(scale.resampled_jod, i)});
     }
     return aligned(rows, 1);
 }
@@ -158,7 +167,7 @@ std::string scales_text(const Analysis& analysis) {
     std::string text = wrapped(
         "\nOne scale over the variants that pairs connect, all conditions together, against the "
         "first. JOD: Thurstone's Case V, 1 JOD is chosen by 75 %. Log odds: Bradley-Terry. Both "
-        "take the votes as independent.\n");
+        "take the votes as independent; the resampled interval does not.\n");
     for (const VariantScale& scale : analysis.scales) text += '\n' + scale_text(scale);
     return text;
 }
@@ -191,8 +200,11 @@ std::string text_report(const Analysis& analysis) {
     for (const Comparison& pair : analysis.validity.by_pair) words += pair_row(pair);
     words +=
         "Votes that are pooled or compared here come from the same participants, which tests of "
-        "counts take as independent; Cochran's and McNemar's do not.\n";
-    return text + wrapped(words + order_bias_line(analysis)) + scales_text(analysis);
+        "counts take as independent; Cochran's, McNemar's and the test by flipping signs do "
+        "not.\n";
+    return text + wrapped(words + order_bias_line(analysis)) + verdicts_text(analysis) +
+           power_text(analysis.power) + scales_text(analysis) + attention_text(analysis) +
+           response_times_text(analysis) + exclusions_text(analysis);
 }
 
 }  // namespace obscura::analysis

@@ -46,7 +46,8 @@ Pairs pairs_of(const Tally& tally) {
     return pairs;
 }
 
-VariantScale scale_of(const Pairs& pairs, std::vector<std::size_t> group) {
+VariantScale scale_of(const Pairs& pairs, const std::vector<const PairVotes*>& own,
+                      std::vector<std::size_t> group, ScaleParts parts) {
     const auto reference = std::find_if(group.begin(), group.end(), [&](std::size_t variant) {
         return pairs.variants[variant] == kNoTechnique;
     });
@@ -59,8 +60,8 @@ VariantScale scale_of(const Pairs& pairs, std::vector<std::size_t> group) {
     }
     std::vector<PairVotes> votes;
     bool is_too_large = group.size() > kMaxScaled;
-    for (const PairVotes& pair : pairs.votes) {
-        if (!place.contains(pair.one) || !place.contains(pair.other)) continue;
+    for (const PairVotes* one_of : own) {
+        const PairVotes& pair = *one_of;
         votes.push_back(
             {place.at(pair.one), place.at(pair.other), pair.one_chosen, pair.other_chosen});
         is_too_large |= std::max(pair.one_chosen, pair.other_chosen) > kMaxCount;
@@ -71,18 +72,28 @@ VariantScale scale_of(const Pairs& pairs, std::vector<std::size_t> group) {
         scale.bradley_terry = scale.thurstone = Possible<Scale>::none(why);
         return scale;
     }
-    scale.bradley_terry = bradley_terry(scale.variants, votes);
+    if (parts == ScaleParts::kBoth) scale.bradley_terry = bradley_terry(scale.variants, votes);
     scale.thurstone = thurstone_jod(scale.variants, votes);
     return scale;
 }
 
 }  // namespace
 
-std::vector<VariantScale> variant_scales(const Tally& tally) {
+std::vector<VariantScale> variant_scales(const Tally& tally, ScaleParts parts) {
     const Pairs pairs = pairs_of(tally);
+    const auto groups = connected_groups(pairs.variants.size(), pairs.votes);
+    std::vector<std::size_t> group_of(pairs.variants.size());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        for (const std::size_t variant : groups[i]) group_of[variant] = i;
+    }
+    std::vector<std::vector<const PairVotes*>> votes(groups.size());
+    for (const PairVotes& pair : pairs.votes) {
+        // A pair without votes may lie between groups.
+        if (group_of[pair.one] == group_of[pair.other]) votes[group_of[pair.one]].push_back(&pair);
+    }
     std::vector<VariantScale> scales;
-    for (const auto& group : connected_groups(pairs.variants.size(), pairs.votes)) {
-        if (group.size() > 1) scales.push_back(scale_of(pairs, group));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].size() > 1) scales.push_back(scale_of(pairs, votes[i], groups[i], parts));
     }
     return scales;
 }

@@ -8,6 +8,7 @@
 
 #include "analysis/statistics/chi_square.h"
 #include "analysis/statistics/possible.h"
+#include "analysis/statistics/quartiles.h"
 
 namespace obscura::analysis {
 
@@ -17,12 +18,6 @@ struct PreferencePoint {
     std::string validity;     ///< low, moderate or high; may be empty
     double difference = 0.0;  ///< what is measured of B minus that of A (an error, or milliseconds)
     Votes votes;
-};
-
-/// From low to high, in the unit of what it bounds.
-struct Bounds {
-    double low = 0.0;
-    double high = 0.0;
 };
 
 /// How the choice follows the difference: logit P(B is chosen) = slope * difference. There is no

@@ -19,6 +19,8 @@ namespace obscura::analysis {
 /// file that is no such store, a newer schema or a read-only place, and for a record with a value
 /// that is not allowed; failure for a full disk and for what the store's state forbids (a slot that
 /// is taken, a session that is not open, an index already answered).
+///
+/// A store is used by one thread at a time.
 class Store {
   public:
     enum class Access {

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "analysis/counts_file.h"
-#include "analysis/export/contents.h"
 #include "analysis/report/analysis.h"
 #include "analysis/store/store.h"
 #include "analysis/tally.h"
@@ -29,8 +28,7 @@ struct Options {
 analysis::Tally tally_of_store(const std::string& url, const Options& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     const auto kind = analysis::kind_from(options.kind);
-    const analysis::StoreContents contents = analysis::read_contents(store);
-    return analysis::tally_trials(url, contents.sessions, contents.trials, options.study, *kind);
+    return analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
 }
 
 analysis::Tally tally_of(const Options& options, const Globals& globals) {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/export/csv_export.h"
+#include "analysis/export/contents.h"
 #include "analysis/published_votes.h"
 #include "analysis/report/analysis.h"
 #include "analysis/store/store.h"
+#include "app/commands/exported_study.h"
 #include "app/commands/list.h"
+#include "app/kiosk/machine.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"
 #include "app/kiosk/store_lock.h"
@@ -108,11 +110,17 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     fs::rename(beside, file);
 }
 
-[[nodiscard]] std::string analyse(const stimuli::Study& study, const fs::path& file,
+[[nodiscard]] std::string analyse(const stimuli::Study& study,
+                                  const analysis::ExportedStudy& exported, const fs::path& file,
                                   const fs::path& reports) {
     Store store(url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
-    analysis::write_export(analysis::csv_export(contents), reports / "export", true);
+    analysis::ExportOptions export_options;
+    export_options.folder = reports / "export";
+    export_options.overwrite = true;
+    export_options.studies = {exported};
+    export_options.software = kiosk::software_version();
+    (void)analysis::export_store(store, export_options);
     const analysis::Analysis result = analysis::analyse(analysis::tally_trials(
         url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
     base::write_file_atomically(reports / "analysis.json", analysis::json_report(result));
@@ -131,7 +139,9 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     spdlog::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
-    const std::string report = analyse(study, file, out / "reports");
+    const std::string report =
+        analyse(study, exported_study(stimuli::study_source(options.study), study, images), file,
+                out / "reports");
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"

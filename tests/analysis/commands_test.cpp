@@ -123,6 +123,20 @@ TEST_F(CommandsTest, ExportWritesFilesAndRefusesUnknownFormats) {
     EXPECT_EQ(run(export_command(), {"--out", to, "--force"}).code, ExitCode::kDone);
 }
 
+TEST_F(CommandsTest, ExportTakesOnlyTheStudyFileThatTheSessionsBeganWith) {
+    const std::string to = (folder / "export").string();
+    add_session(analysis::Kind::kParticipant);
+    const Ending other = run(export_command(), {"--out", to, "--study", "jakobsen2010"});
+    EXPECT_EQ(other.code, ExitCode::kBadInput);
+    EXPECT_THAT(other.message, AllOf(HasSubstr("--study jakobsen2010: its SHA-256 is"),
+                                     HasSubstr(std::string(64, 'a'))));
+    EXPECT_EQ(run(export_command(), {"--out", to, "--seed", "3"}).code, ExitCode::kBadInput);
+    EXPECT_FALSE(fs::exists(to));
+    const Ending bids = run(export_command(), {"--out", to, "--format", "bids", "--anonymous"});
+    EXPECT_EQ(bids.code, ExitCode::kDone) << bids.message;
+    EXPECT_TRUE(fs::exists(fs::path(to) / "sub-p1"));
+}
+
 TEST_F(CommandsTest, AnalyzeOfExportedTrialsGivesTheStoresStatistics) {
     add_session(analysis::Kind::kParticipant);
     add_session(analysis::Kind::kParticipant);

@@ -51,11 +51,15 @@ TEST(Csv, NamesTheLineOfBadQuotesAndBytes) {
         }
         return "accepted";
     };
-    EXPECT_EQ(refusal("a\n\"b\nc"), "x.csv:2: a quote that is never closed");
-    EXPECT_EQ(refusal("a\n\"b\"c"), "x.csv:2: text after a closing quote");
-    EXPECT_EQ(refusal("a\nb\"c"), "x.csv:2: a quote in the middle of a field");
+    EXPECT_EQ(refusal("a\n\"b\nc"), "x.csv:2: column 1: '\"b': a quote that is never closed");
+    EXPECT_EQ(refusal("a\n\"b\"c"),
+              "x.csv:2: column 1: '\"b\"c': text after a closing quote, allowed is a comma or the "
+              "line's end");
+    EXPECT_EQ(refusal("a\nb\"c"),
+              "x.csv:2: column 1: 'b\"c': a quote in the middle of a field, allowed is one around "
+              "the whole field");
     EXPECT_EQ(refusal("a\nb\n\xff\n"), "x.csv:3: the text is not UTF-8");
-    EXPECT_EQ(refusal("\""), "x.csv:1: a quote that is never closed");
+    EXPECT_EQ(refusal("\""), "x.csv:1: column 1: '\"': a quote that is never closed");
 }
 
 TEST(Csv, WhatIsWrittenReadsBackTheSame) {

@@ -9,7 +9,8 @@
 #include <numbers>
 
 #include "analysis/csv.h"
-#include "analysis/export/csv_export.h"
+#include "analysis/export/export.h"
+#include "analysis/export/export_folder.h"
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -34,7 +35,10 @@ class ExportTest : public testing::Test {
 
     void write(bool overwrite = false) {
         Store store = open();
-        write_export(csv_export(read_contents(store)), out, overwrite);
+        ExportOptions options;
+        options.folder = out;
+        options.overwrite = overwrite;
+        (void)export_store(store, options);
     }
 
     [[nodiscard]] Table read(const std::string& name) const {
@@ -294,7 +298,7 @@ TEST_F(ExportTest, FilesThatAreThereAreOverwrittenOnlyWhenAsked) {
         ADD_FAILURE() << "overwritten";
     } catch (const base::Error& error) {
         EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
-        EXPECT_THAT(error.what(), HasSubstr("participants.csv, trials.csv"));
+        EXPECT_THAT(error.what(), HasSubstr("an export of 5 files (participants.csv"));
         EXPECT_THAT(error.what(), HasSubstr("--force"));
     }
     EXPECT_EQ(base::read_file(out / "trials.csv"), "mine\n");
@@ -303,34 +307,68 @@ TEST_F(ExportTest, FilesThatAreThereAreOverwrittenOnlyWhenAsked) {
     EXPECT_NE(base::read_file(out / "trials.csv"), "mine\n");
     EXPECT_THAT(names_in(out),
                 UnorderedElementsAre("participants.csv", "sessions.csv", "trials.csv",
-                                     "conditions.csv", "data_dictionary.json"));
+                                     "conditions.csv", "data_dictionary.json", ".obscura-export"));
+}
+
+TEST_F(ExportTest, AFileThatIsNotOfAnExportIsOverwrittenOnlyWhenAsked) {
+    { Store store = open(); }
+    base::write_file_atomically(out / "trials.csv", "mine\n");
+    try {
+        write();
+        ADD_FAILURE() << "overwritten";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
+        EXPECT_THAT(error.what(), HasSubstr("trials.csv is there already; --force"));
+    }
+    EXPECT_THAT(names_in(out), ElementsAre("trials.csv"));
+}
+
+/// Names and what is in them, as an export of its own.
+void write_files(const fs::path& out, const std::vector<std::pair<std::string, std::string>>& files,
+                 bool overwrite = true) {
+    ExportFolder folder(out, overwrite);
+    for (const auto& [name, bytes] : files) folder.add(name, bytes);
+    folder.keep();
 }
 
 TEST_F(ExportTest, WhenOneFileCannotBeWrittenNoneIs) {
     fs::create_directories(out);
     base::write_file_atomically(out / "one.csv", "old\n");
     const std::string impossible(300, 'x');  // longer than a name may be
-    EXPECT_THROW(write_export({{"one.csv", "new\n"}, {impossible, "new\n"}}, out, true),
-                 base::Error);
+    EXPECT_THROW(write_files(out, {{"one.csv", "new\n"}, {impossible, "new\n"}}), base::Error);
     EXPECT_EQ(base::read_file(out / "one.csv"), "old\n");
     EXPECT_THAT(names_in(out), ElementsAre("one.csv"));
 }
 
 TEST_F(ExportTest, ARenameThatFailsHalfWayGivesTheEarlierFilesBack) {
     base::write_file_atomically(out / "one.csv", "old\n");
-    // Written in its own folder, but there is no such folder at its place.
+    base::write_file_atomically(out / "no", "a file where a folder must be\n");
     EXPECT_THROW(
-        write_export({{"one.csv", "new\n"}, {"two.csv", "new\n"}, {"no/three.csv", ""}}, out, true),
+        write_files(out, {{"one.csv", "new\n"}, {"deep/two.csv", ""}, {"no/three.csv", ""}}),
         base::Error);
     EXPECT_EQ(base::read_file(out / "one.csv"), "old\n");
-    EXPECT_THAT(names_in(out), ElementsAre("one.csv"));
+    EXPECT_THAT(names_in(out), UnorderedElementsAre("one.csv", "no"));
+}
+
+TEST_F(ExportTest, ALaterExportLeavesNothingOfTheEarlierOneAndAllOfWhatIsNotAnExports) {
+    write_files(out, {{"sub-1/beh/one.tsv", "1"}, {"sub-2/two.tsv", "2"}, {"kept.tsv", "3"}});
+    base::write_file_atomically(out / "sub-2" / "mine.txt", "mine");
+    base::write_file_atomically(folder / "deep" / "secret", "");
+    base::write_file_atomically(out / ".obscura-export", base::read_file(out / ".obscura-export") +
+                                                             "../secret\n/etc/passwd\nsub-2\n");
+    EXPECT_THROW(write_files(out, {{"other.tsv", ""}}, false), base::Error);
+    write_files(out, {{"kept.tsv", "new"}});
+    EXPECT_THAT(names_in(out), UnorderedElementsAre("kept.tsv", "sub-2", ".obscura-export"));
+    EXPECT_THAT(names_in(out / "sub-2"), ElementsAre("mine.txt"));
+    EXPECT_EQ(base::read_file(out / "kept.tsv"), "new");
+    EXPECT_TRUE(fs::exists(folder / "deep" / "secret"));
 }
 
 TEST_F(ExportTest, AFolderThatCannotBeWrittenIsBadInput) {
     base::write_file_atomically(folder / "file", "");
     for (const fs::path& bad : {folder / "file", fs::path("/proc/nowhere")}) {
         try {
-            write_export({{"one.csv", ""}}, bad, false);
+            write_files(bad, {{"one.csv", ""}}, false);
             ADD_FAILURE() << "written";
         } catch (const base::Error& error) {
             EXPECT_EQ(error.code(), base::ExitCode::kBadInput);

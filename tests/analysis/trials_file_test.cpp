@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "analysis/export/csv_export.h"
 #include "analysis/report/analysis.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
+#include "tests/analysis/trials_text.h"
 
 namespace obscura::analysis {
 namespace {
@@ -112,7 +112,8 @@ TEST(TrialsFile, SaysEverythingThatIsWrongWithItsPlace) {
                       HasSubstr("column is_A_selected is missing")));
     EXPECT_THAT(refusal_of(""), HasSubstr("the file is empty"));
     EXPECT_THAT(refusal_of(kHeader), HasSubstr("t.csv:1: there is no row below the header"));
-    EXPECT_THAT(refusal_of(kHeader + "ann,x,\"y,1\n"), HasSubstr("t.csv:2: a quote"));
+    EXPECT_THAT(refusal_of(kHeader + "ann,x,\"y,1\n"),
+                HasSubstr("t.csv:2: column 3: '\"y': a quote"));
     EXPECT_THAT(refusal_of(kHeader + "ann,x,y\xFF,1\n"),
                 HasSubstr("t.csv:2: the text is not UTF-8"));
     std::string many = kHeader;
@@ -183,10 +184,7 @@ StoreContents random_contents(bool repeats) {
 TEST(TrialsFile, ExportedTrialsGiveTheStatisticsOfTheStore) {
     for (const bool repeats : {false, true}) {
         const StoreContents contents = random_contents(repeats);
-        std::string csv;
-        for (const ExportFile& file : csv_export(contents)) {
-            if (file.name == "trials.csv") csv = file.bytes;
-        }
+        const std::string csv = tests::trials_text(contents);
         for (const Kind kind : {Kind::kParticipant, Kind::kSimulated}) {
             const Analysis of_store =
                 analyse(tally_trials("s", contents.sessions, contents.trials, "", kind));
@@ -200,10 +198,7 @@ TEST(TrialsFile, ExportedTrialsGiveTheStatisticsOfTheStore) {
 }
 
 TEST(TrialsFile, DamagedFilesAreReadOrRefusedWithTheirPlace) {
-    std::string csv;
-    for (const ExportFile& file : csv_export(random_contents(false))) {
-        if (file.name == "trials.csv") csv = file.bytes;
-    }
+    std::string csv = tests::trials_text(random_contents(false));
     csv.resize(csv.find('\n', 6000) + 1);
     const std::string other = kHeader + "ann,x,y,1\nbob,y,x,0\ncleo,\"x\",y,true\n";
     constexpr std::array<std::string_view, 9> pieces{",",  "\"",   "\n",   "\r\n", "",

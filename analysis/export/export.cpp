@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/export/export.h"
+
+#include <fmt/format.h>
+
+#include "analysis/export/formats.h"
+
+namespace obscura::analysis {
+
+std::string_view to_string(ExportFormat format) {
+    switch (format) {
+        case ExportFormat::kCsv:
+            return "csv";
+        case ExportFormat::kTsv:
+            return "tsv";
+        case ExportFormat::kJsonLines:
+            return "json";
+        case ExportFormat::kBids:
+            return "bids";
+        case ExportFormat::kPsychDs:
+            return "psych-ds";
+    }
+    return "";
+}
+
+std::optional<ExportFormat> export_format_from(std::string_view name) {
+    for (const ExportFormat format : kExportFormats) {
+        if (to_string(format) == name) return format;
+    }
+    return std::nullopt;
+}
+
+void add_studies(const ExportJob& job, const std::string& folder) {
+    for (const ExportedStudy& study : job.options.studies) {
+        const std::string place = folder + '/' + study.name + '/';
+        if (!study.file_text.empty()) job.folder.add(place + "study.toml", study.file_text);
+        if (!study.manifest_text.empty()) {
+            job.folder.add(place + "manifest.json", study.manifest_text);
+        }
+    }
+}
+
+std::string readme_text(const ExportJob& job) {
+    std::string text =
+        "Answers of a psychophysical study: two images that differ only in their ambient\n"
+        "occlusion are shown one after the other, and the observer chooses one of them.\n"
+        "Ambient occlusion is the darkening of places that little light can reach.\n\n";
+    for (const ExportedStudy& study : job.options.studies) {
+        text +=
+            fmt::format("Study {}{}{}\n", study.name, study.title.empty() ? "" : ": ", study.title);
+        if (!study.question.empty()) text += fmt::format("Question: {}\n", study.question);
+    }
+    text += fmt::format(
+        "\nRows whose kind is simulated were answered by a program, not by a person. Catch trials\n"
+        "(attention checks) and rows with an entry in repeats are no votes. Only sessions whose\n"
+        "state is completed are analysed.\n\nWritten by {}.\n",
+        job.options.software);
+    if (job.source.anonymous()) {
+        text +=
+            "Anonymous: age, gender, times of day and the place in the sequence of participants\n"
+            "are left out, and participants and sessions are numbered anew in a random order.\n";
+    }
+    return text;
+}
+
+Exported export_store(Store& store, const ExportOptions& options) {
+    Exported exported;
+    ExportFolder folder(options.folder, options.overwrite);
+    store.of_one_moment([&] {
+        ExportSource source(store, options);
+        const ExportJob job{options, source, folder, exported};
+        switch (options.format) {
+            case ExportFormat::kCsv:
+            case ExportFormat::kTsv:
+            case ExportFormat::kJsonLines:
+                export_tables(job);
+                break;
+            case ExportFormat::kBids:
+                export_bids(job);
+                break;
+            case ExportFormat::kPsychDs:
+                export_psych_ds(job);
+                break;
+        }
+    });
+    folder.keep();
+    return exported;
+}
+
+}  // namespace obscura::analysis

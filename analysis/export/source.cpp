@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/export/source.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <utility>
+
+#include "renderer/base/random.h"
+
+namespace obscura::analysis {
+
+ExportSource::ExportSource(Store& store, const ExportOptions& options)
+    : store_(store), anonymous_(options.anonymous_seed.has_value()) {
+    for (const ExportedStudy& study : options.studies) {
+        auto& of_study = images_[study.name];
+        for (const ExportedImage& image : study.images) {
+            of_study[image.condition][image.side == 'A' ? 0 : 1] = {image.sha256,
+                                                                    study.name + '/' + image.file};
+        }
+    }
+    if (anonymous_) read_all(*options.anonymous_seed);
+}
+
+void ExportSource::read_all(std::uint64_t seed) {
+    std::vector<ParticipantRecord> participants = store_.participants();
+    std::vector<SessionRecord> sessions = store_.sessions();
+    std::vector<std::size_t> order(participants.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    base::Random random(seed);
+    random.shuffle(order);
+    std::unordered_map<std::string, std::vector<SessionRecord*>> of_participant;
+    for (SessionRecord& session : sessions) {
+        of_participant[session.participant_id].push_back(&session);
+    }
+    const int digits = static_cast<int>(std::to_string(participants.size()).size());
+    for (const std::size_t place : order) {
+        ParticipantRecord& participant = participants_.emplace_back(std::move(participants[place]));
+        const auto own = of_participant.find(participant.participant_id);
+        participant.participant_id = fmt::format("p{:0{}}", participants_.size(), digits);
+        if (own == of_participant.end()) continue;
+        for (SessionRecord* session : own->second) {
+            session_ids_.push_back(std::move(session->session_id));
+            session->session_id = fmt::format("s{:0{}}", sessions_.size() + 1, digits);
+            session->participant_id = participant.participant_id;
+            sessions_.push_back(std::move(*session));
+        }
+    }
+}
+
+void ExportSource::each_participant(const std::function<void(const ParticipantRecord&)>& take) {
+    if (!anonymous_) return store_.each_participant(take);
+    for (const ParticipantRecord& participant : participants_) take(participant);
+}
+
+void ExportSource::each_session(const std::function<void(const SessionRecord&)>& take) {
+    if (!anonymous_) return store_.each_session(take);
+    for (const SessionRecord& session : sessions_) take(session);
+}
+
+void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
+                              Exported& exported) {
+    const auto row = [&](const TrialRecord& trial, const SessionRecord& session) {
+        const std::string* const first = file_of(trial, session, true);
+        const std::string* const second = file_of(trial, session, false);
+        if (first == nullptr || second == nullptr) ++exported.unknown_images;
+        take({&trial, &session, ++exported.trials, first, second});
+    };
+    if (!anonymous_) return store_.each_trial(row);
+    for (std::size_t i = 0; i < sessions_.size(); ++i) {
+        for (TrialRecord& trial : store_.trials_of(session_ids_[i])) {
+            trial.session_id = sessions_[i].session_id;
+            row(trial, sessions_[i]);
+        }
+    }
+}
+
+const std::string* ExportSource::file_of(const TrialRecord& trial, const SessionRecord& session,
+                                         bool first) const {
+    const auto study = images_.find(session.study);
+    if (study == images_.end()) return nullptr;
+    const auto condition = study->second.find(trial.condition);
+    if (condition == study->second.end()) return nullptr;
+    const bool is_A = (trial.first_shown == 'A') == first;
+    const Image& image = condition->second[is_A ? 0 : 1];
+    return image.sha256 == (first ? trial.first_sha256 : trial.second_sha256) ? &image.file
+                                                                              : nullptr;
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/export/export.h"
+#include "analysis/export/tables.h"
+
+namespace obscura::analysis {
+
+/// What an export is made of, in the order of its rows: the store's own, or, for an anonymous one,
+/// participants by new names in a shuffled order.
+class ExportSource {
+  public:
+    /// To be used within one Store::of_one_moment.
+    ExportSource(Store& store, const ExportOptions& options);
+
+    [[nodiscard]] bool anonymous() const { return anonymous_; }
+    /// The columns that may be shown.
+    template <typename Row>
+    [[nodiscard]] std::vector<ExportColumn<Row>> columns(const ExportTable<Row>& table) const {
+        std::vector<ExportColumn<Row>> shown;
+        for (const auto& column : table.columns) {
+            if (!anonymous_ || !column.personal) shown.push_back(column);
+        }
+        return shown;
+    }
+
+    void each_participant(const std::function<void(const ParticipantRecord&)>& take);
+    void each_session(const std::function<void(const SessionRecord&)>& take);
+    /// Rows numbered from 1, with the images' files as STUDY/FILE. Counts them in `exported`.
+    void each_trial(const std::function<void(const TrialRow&)>& take, Exported& exported);
+
+  private:
+    void read_all(std::uint64_t seed);
+    /// STUDY/FILE of the image that the trial showed on that side; nullptr: not known.
+    [[nodiscard]] const std::string* file_of(const TrialRecord& trial, const SessionRecord& session,
+                                             bool first) const;
+
+    Store& store_;
+    const bool anonymous_;
+    std::vector<ParticipantRecord> participants_;  ///< renamed; only of an anonymous export
+    std::vector<SessionRecord> sessions_;
+    std::vector<std::string> session_ids_;  ///< in the store
+    struct Image {
+        std::string sha256;
+        std::string file;
+    };
+    /// By study, then by condition: A and B.
+    std::unordered_map<std::string, std::unordered_map<std::string, std::array<Image, 2>>> images_;
+};
+
+}  // namespace obscura::analysis

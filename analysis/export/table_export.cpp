@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/export/formats.h"
+
+namespace obscura::analysis {
+namespace {
+
+Layout layout_of(ExportFormat format) {
+    switch (format) {
+        case ExportFormat::kTsv:
+            return Layout::kTsv;
+        case ExportFormat::kJsonLines:
+            return Layout::kJsonLines;
+        default:
+            return Layout::kCsv;
+    }
+}
+
+}  // namespace
+
+void export_tables(const ExportJob& job) {
+    const Layout layout = layout_of(job.options.format);
+    ExportSource& source = job.source;
+    nlohmann::ordered_json dictionary;
+    const auto write = [&](const auto& table, const auto& each) {
+        const auto columns = source.columns(table);
+        write_table(job, table.name, columns, layout, each);
+        dictionary[table.name + std::string(ending_of(layout))] = described(columns);
+    };
+    write(participants_export(), [&](const auto& take) {
+        source.each_participant([&](const ParticipantRecord& participant) {
+            ++job.exported.participants;
+            take(participant);
+        });
+    });
+    write(sessions_export(), [&](const auto& take) {
+        source.each_session([&](const SessionRecord& session) {
+            ++job.exported.sessions;
+            if (session.kind == Kind::kSimulated) ++job.exported.simulated;
+            take(session);
+        });
+    });
+    ConditionCounter conditions;
+    write(trials_export(), [&](const auto& take) {
+        source.each_trial(
+            [&](const TrialRow& row) {
+                conditions.add(*row.trial, *row.session);
+                take(row);
+            },
+            job.exported);
+    });
+    write(conditions_export(), [&](const auto& take) {
+        for (const ConditionRow& row : conditions.rows()) take(row);
+    });
+    job.folder.add("data_dictionary.json", dictionary.dump(2) + '\n');
+    add_studies(job, "stimuli");
+}
+
+}  // namespace obscura::analysis
