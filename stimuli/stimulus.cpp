@@ -98,13 +98,25 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     return {lighting_of(scene), camera};
 }
 
+renderer::TracedAccessibility StimulusRenderer::tracer() {
+    return [this](const renderer::Camera& camera, int width, int height,
+                  const renderer::TechniqueChoice& choice) {
+        if (!loaded_.reference) {
+            loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
+        }
+        return loaded_.reference->trace(camera, width, height, renderer::reference_options(choice))
+            .accessibility;
+    };
+}
+
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options) {
     const View view = view_of(stimulus);
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
                              stimulus.choice(), study_.width, study_.height, options);
-    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan);
+    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
+                            tracer());
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
@@ -117,7 +129,7 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const renderer::FramePlan plan = renderer::plan_frame(
         renderer::needs_of_everything(*loaded_.opened.scene, lighting), stimulus.choice(),
         study_.width, study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
-    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan);
+    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {

@@ -9,6 +9,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/exr.h"
+#include "renderer/reference/reference.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
@@ -66,6 +67,7 @@ class StimulusRenderer {
         double scale = 1.0;
         OpenedScene opened;
         std::unique_ptr<renderer::GpuScene> gpu;
+        std::unique_ptr<renderer::ReferenceScene> reference;  ///< once an image needs it
     };
     /// The scene, ready to be drawn, its light and the view.
     struct View {
@@ -73,6 +75,8 @@ class StimulusRenderer {
         const renderer::Camera& camera;
     };
     View view_of(const Stimulus& stimulus);
+    /// Traces rays through the scene that is loaded, for the technique that asks for it.
+    renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options);
     void load(const StudyScene& scene);
     const renderer::Lighting& lighting_of(const StudyScene& scene);

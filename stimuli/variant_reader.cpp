@@ -41,9 +41,11 @@ void read_settings(TableReader& reader, const renderer::Technique& technique,
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     choice.samples = static_cast<int>(reader.integer("samples", Need::kOptional, -kMost, kMost)
                                           .value_or(technique.samples.standard));
-    const bool makes_buffer = !technique.shader.empty();
+    const bool makes_buffer = technique.makes_accessibility();
+    // The truth is shown as it is, unless a study asks for a filter.
+    const bool filtered = makes_buffer && !technique.ray_traced;
     choice.denoise =
-        reader.text("denoise", Need::kOptional).value_or(makes_buffer ? "separable" : "none");
+        reader.text("denoise", Need::kOptional).value_or(filtered ? "separable" : "none");
     for (const renderer::Parameter& parameter : technique.parameters) {
         const std::optional<double> value = reader.number(parameter.name, Need::kOptional);
         if (value) choice.parameters[parameter.name] = *value;

@@ -12,7 +12,7 @@
 namespace obscura::stimuli {
 
 /// Reads one side of a condition: `technique`, `samples` (standard: the technique's), `denoise`
-/// (standard: separable where the technique makes a buffer, else none) and the technique's own
+/// (standard: separable for a technique that a shader computes, else none) and the technique's own
 /// parameters. Notes what is wrong, each at its key's line.
 [[nodiscard]] renderer::TechniqueChoice read_variant(const toml::table& table,
                                                      const std::string& where,

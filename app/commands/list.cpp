@@ -9,6 +9,8 @@ const std::vector<Command>& commands() {
         demo_command(),   run_command(),     render_command(), plan_command(),
         export_command(), analyze_command(), power_command(),  check_command(),
         scene_command(),
+        demo_command(),    run_command(),   render_command(), plan_command(), export_command(),
+        analyze_command(), power_command(), check_command(),  ao_command(),
     };
     return list;
 }

@@ -10,6 +10,7 @@ namespace obscura::app {
 
 // One line a command; each is defined in the file of its name.
 Command analyze_command();
+Command ao_command();
 Command demo_command();
 Command run_command();
 Command check_command();

@@ -6,9 +6,8 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/commands/variants_help.h"
 #include "renderer/base/log.h"
-#include "renderer/denoise/denoise.h"
-#include "renderer/technique/technique.h"
 #include "stimuli/generate.h"
 
 namespace obscura::app {
@@ -66,35 +65,6 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-/// The techniques and filters a study file may name, from their descriptors.
-std::string variants_help() {
-    std::string text =
-        "A variant in a study file: { technique = NAME, samples = N, PARAMETER = "
-        "NUMBER, denoise = FILTER }\n";
-    for (const renderer::Technique& technique : renderer::techniques()) {
-        text += fmt::format("  {} ({})\n", technique.name, technique.citation);
-        if (technique.samples.high > 0) {
-            text +=
-                fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
-                            technique.samples.high, technique.samples.standard,
-                            technique.samples.multiple_of > 1
-                                ? fmt::format(", multiples of {}", technique.samples.multiple_of)
-                                : "");
-        }
-        for (const renderer::Parameter& parameter : technique.parameters) {
-            text +=
-                fmt::format("    {}: {}; {} to {}{}{}, default {}\n", parameter.name,
-                            parameter.meaning, parameter.low, parameter.high,
-                            parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
-        }
-    }
-    text += "Filters:\n";
-    for (const renderer::Denoise& denoise : renderer::denoise_filters()) {
-        text += fmt::format("  {} ({})\n", denoise.name, denoise.citation);
-    }
-    return text;
-}
-
 }  // namespace
 
 Command render_command() {
@@ -120,7 +90,10 @@ Command render_command() {
             app.add_flag("--aov", options->selection.buffers,
                          "Also write CONDITION-a.exr and -b.exr: depth (m), view-space normal, "
                          "albedo, accessibility and light, with the camera's matrices");
-            app.footer(variants_help());
+            app.footer(
+                "A variant in a study file: { technique = NAME, samples = N, PARAMETER = NUMBER, "
+                "denoise = FILTER }\n" +
+                variants_help());
             return [options, &globals] { return render(*options, globals); };
         }};
 }

@@ -14,6 +14,8 @@ struct Renderer::Job {
     const FramePlan& plan;
     CameraMatrices camera;
     Frame& frame;
+    const Camera& source;  ///< what `camera` was made of
+    const TracedAccessibility& traced;
 
     [[nodiscard]] bool has(Target target) const { return plan.find(target) != nullptr; }
     /// The buffer that stands in for kDepth, kNormal or kVisibility before the technique.

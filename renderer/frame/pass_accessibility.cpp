@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <cstring>
+#include <limits>
+
+#include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/frame/job.h"
 
@@ -12,6 +16,7 @@ constexpr GLfloat kOpen[] = {1.0F, 1.0F, 1.0F, 1.0F};
 
 void Renderer::run_accessibility(Job& job) {
     const Technique& technique = *find_technique(job.choice.technique);
+    if (technique.ray_traced) return run_traced_accessibility(job);
     Defines defines{"SAMPLES " + std::to_string(job.choice.samples)};
     if (job.choice.unclamped) defines.emplace_back("UNCLAMPED");
     gl::Program& shader = program("passes/full_screen.vert.glsl", technique.shader, defines);
@@ -30,6 +35,32 @@ void Renderer::run_accessibility(Job& job) {
         bind(shader, "t_kernel", kernel(job.choice.samples).name(), 3);
     }
     full_screen(shader, GL_GREATER);
+}
+
+void Renderer::run_traced_accessibility(Job& job) {
+    if (!job.traced) {
+        throw base::failure("technique {} needs a ray tracer, and this frame has none",
+                            job.choice.technique);
+    }
+    const int width = job.plan.width;
+    const int height = job.plan.height;
+    std::vector<float> upper_first = job.traced(job.source, width, height, job.choice);
+    const std::vector<std::uint8_t> visibility = job.frame.read_bytes(Target::kVisibility);
+    std::vector<float> values(upper_first.size());
+    const auto row = static_cast<std::size_t>(width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+        for (std::size_t x = 0; x < row; ++x) {
+            std::uint32_t depth = 0;
+            std::memcpy(&depth, &visibility[(y * row + x) * sizeof depth], sizeof depth);
+            // Along a silhouette ray and rasteriser may differ; an empty pixel stays open.
+            const bool empty = depth == std::numeric_limits<std::uint32_t>::max();
+            const float traced = upper_first[(static_cast<std::size_t>(height) - 1 - y) * row + x];
+            values[y * row + x] = empty ? 1.0F : traced;
+        }
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(job.frame.texture(Target::kAccessibility), 0, 0, 0, width, height, GL_RED,
+                        GL_FLOAT, values.data());
 }
 
 void Renderer::run_denoise(Job& job) {

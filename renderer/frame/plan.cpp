@@ -75,7 +75,7 @@ class Planner {
         plan_.image_height = height;
         plan_.options = options;
         plan_.needs = needs;
-        accessibility_ = !technique_.shader.empty();
+        accessibility_ = technique_.makes_accessibility();
     }
 
     void plan_geometry();
@@ -128,7 +128,8 @@ class Planner {
     const SceneNeeds& needs() const { return plan_.needs; }
     [[nodiscard]] bool lit() const { return needs().environment || needs().direct_light(); }
     [[nodiscard]] bool occluders() const {
-        return accessibility_ && needs().blended && plan_.options.occluding_opacity.has_value();
+        return technique_.reads_depth && needs().blended &&
+               plan_.options.occluding_opacity.has_value();
     }
     [[nodiscard]] bool denoised() const { return accessibility_ && denoise_.passes > 0; }
 
@@ -142,7 +143,8 @@ class Planner {
 
 void Planner::plan_geometry() {
     const bool all = plan_.options.all_buffers;
-    const bool depth = all || (accessibility_ && technique_.reads_depth) || needs().direct_light();
+    const bool depth = all || (accessibility_ && technique_.reads_depth) ||
+                       (denoised() && denoise_.reads_depth) || needs().direct_light();
     const bool normal = all || (accessibility_ && technique_.reads_normal) || lit();
     std::vector<Target> writes{Target::kVisibility, Target::kAlbedo};
     if (normal) writes.push_back(Target::kNormal);
@@ -178,15 +180,19 @@ void Planner::plan_accessibility() {
         }
         pass(Pass::kOccluders, reads, writes);
     } else {
-        leave_out("occluders", needs().blended ? "blended surfaces are asked not to occlude"
-                                               : "no material is blended");
+        leave_out("occluders", !needs().blended ? "no material is blended"
+                               : !technique_.reads_depth
+                                   ? "the technique reads no depth"
+                                   : "blended surfaces are asked not to occlude");
     }
     if (!accessibility_) {
         leave_out("accessibility", "the technique computes none");
         leave_out("denoise", "there is no accessibility to denoise");
         return;
     }
-    std::vector<Target> reads{plan_.seen_by_technique(Target::kDepth)};
+    std::vector<Target> reads;
+    if (technique_.ray_traced) reads.push_back(Target::kVisibility);
+    if (technique_.reads_depth) reads.push_back(plan_.seen_by_technique(Target::kDepth));
     if (technique_.reads_normal) reads.push_back(plan_.seen_by_technique(Target::kNormal));
     pass(Pass::kAccessibility, reads, {Target::kAccessibility});
     if (!denoised()) {

@@ -120,9 +120,11 @@ void Renderer::full_screen(gl::Program& program, GLenum test) {
 }
 
 Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
-                       const TechniqueChoice& choice, const FramePlan& plan) {
+                       const TechniqueChoice& choice, const FramePlan& plan,
+                       const TracedAccessibility& traced) {
     Frame frame(plan);
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height), frame};
+    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
+            frame, camera,   traced};
     using Run = void (Renderer::*)(Job&);
     static const std::map<Pass, Run> kRuns = {
         {Pass::kGeometry, &Renderer::run_geometry},

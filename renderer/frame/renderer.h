@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +15,10 @@
 
 namespace obscura::renderer {
 
+/// Gives the accessibility of every pixel, upper row first, for a technique that is ray traced.
+using TracedAccessibility = std::function<std::vector<float>(
+    const Camera& camera, int width, int height, const TechniqueChoice& choice)>;
+
 /// Turns a planned frame into images. Needs a current OpenGL 4.5 context for as long as it lives;
 /// shaders are compiled once, when a plan first needs them.
 class Renderer {
@@ -24,10 +29,11 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
-    /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`.
+    /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`. A
+    /// technique that is ray traced asks `traced`; throws failure when there is none.
     [[nodiscard]] Frame render(const GpuScene& scene, const Lighting& lighting,
                                const Camera& camera, const TechniqueChoice& choice,
-                               const FramePlan& plan);
+                               const FramePlan& plan, const TracedAccessibility& traced = {});
 
   private:
     struct Job;
@@ -47,6 +53,7 @@ class Renderer {
     void run_shadow(Job& job);
     void run_occluders(Job& job);
     void run_accessibility(Job& job);
+    void run_traced_accessibility(Job& job);
     void run_denoise(Job& job);
     void run_light(Job& job);
     void run_sky(Job& job);

@@ -34,8 +34,9 @@ std::string key_of(const ReferenceScene& scene, const Camera& camera, int width,
                     static_cast<int>(options.normal)));
 }
 
-std::string hash_of_pixels(const FloatImage& image) {
-    std::string all = fmt::format("{}x{}", image.width, image.height);
+/// Of the pixels and what they are of, so that no other image is taken for this one.
+std::string hash_of_pixels(const FloatImage& image, const std::string& key) {
+    std::string all = fmt::format("{} {}x{}", key, image.width, image.height);
     for (const char* name : {"Z", "ao.Y", "ao.stderr"}) {
         const std::vector<float>* values = image.find(name);
         if (values == nullptr) throw base::bad_input("channel {} is missing", name);
@@ -45,13 +46,14 @@ std::string hash_of_pixels(const FloatImage& image) {
     return base::sha256_hex(all);
 }
 
-std::optional<ReferenceImage> read_kept(const fs::path& file, int width, int height) {
+std::optional<ReferenceImage> read_kept(const fs::path& file, const std::string& key, int width,
+                                        int height) {
     if (!fs::exists(file)) return std::nullopt;
     try {
         const FloatImage kept = decode_exr(base::read_file(file), file.string());
         const auto stored = kept.texts.find(kPixels);
         if (kept.width != width || kept.height != height || stored == kept.texts.end() ||
-            stored->second != hash_of_pixels(kept)) {
+            stored->second != hash_of_pixels(kept, key)) {
             throw base::bad_input("its pixels are not those that were written");
         }
         return ReferenceImage{width, height, *kept.find("ao.Y"), *kept.find("ao.stderr"),
@@ -69,15 +71,16 @@ ReferenceImage cached_reference(const fs::path& folder, const ReferenceScene& sc
                                 const ReferenceOptions& options,
                                 const ReferenceProgress& progress) {
     check_options(options);
-    const fs::path file = folder / (key_of(scene, camera, width, height, options) + ".exr");
-    if (std::optional<ReferenceImage> kept = read_kept(file, width, height)) return *kept;
+    const std::string key = key_of(scene, camera, width, height, options);
+    const fs::path file = folder / (key + ".exr");
+    if (std::optional<ReferenceImage> kept = read_kept(file, key, width, height)) return *kept;
     ReferenceImage made = scene.trace(camera, width, height, options, progress);
     FloatImage image;
     image.width = width;
     image.height = height;
     image.channels = {
         {"Z", made.depth_m}, {"ao.Y", made.accessibility}, {"ao.stderr", made.standard_error}};
-    image.texts[kPixels] = hash_of_pixels(image);
+    image.texts[kPixels] = hash_of_pixels(image, key);
     base::write_file_atomically(file, encode_exr(image));
     return made;
 }

@@ -56,6 +56,10 @@ class PixelTracer {
 
     [[nodiscard]] TracedPixel trace(int x, int y);
 
+    /// The occlusion rays of the pixel that was traced last, which must have shown a surface: for
+    /// the benchmark.
+    void append_last_rays(std::vector<RTCRay>& rays) const;
+
   private:
     /// What a pixel's middle shows.
     struct Surface {
@@ -65,7 +69,6 @@ class PixelTracer {
         double depth_m;
     };
     [[nodiscard]] bool find_surface(int x, int y, Surface& surface) const;
-    void turn_directions(const Surface& surface);
     void cast_occlusion(const Surface& surface);
     void cast_falloff(const Surface& surface);
     [[nodiscard]] TracedPixel gathered(const Surface& surface) const;
@@ -74,6 +77,7 @@ class PixelTracer {
     const PixelRays& pixels_;
     const ReferenceOptions& options_;
     const HemisphereSampler& sampler_;
+    glm::vec3 start_m_{0.0F};       ///< of the rays of the last pixel
     std::vector<float> x_, y_, z_;  ///< directions, world space
     std::vector<float> occlusion_;  ///< of each ray, [0, 1]
     unsigned saved_float_mode_;

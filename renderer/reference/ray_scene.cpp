@@ -56,7 +56,6 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
 
 /// Whether a triangle can be hit at all.
 bool has_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return false;
     const glm::dvec3 across =
         glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     return glm::dot(across, across) > 0.0;
@@ -181,8 +180,13 @@ RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
         for (const Mesh& mesh : scene.meshes) add(scene, mesh);
         for (const auto& geometry : geometries_) left += geometry->indices.size() / 3;
         if (skipped_ > 0) {
-            spdlog::warn("scene {}: {} of {} triangles have no area or are not finite; left out",
-                         scene.name, skipped_, scene.triangle_count());
+            // Nobody can see a triangle without area; coordinates that are no numbers are a
+            // mistake.
+            spdlog::log(
+                broken_ > 0 ? spdlog::level::warn : spdlog::level::info,
+                "scene {}: of {} triangles {} without area and {} with coordinates that are "
+                "not finite are left out of ray tracing",
+                scene.name, scene.triangle_count(), skipped_ - broken_, broken_);
         }
         if (left == 0) {
             throw base::bad_input("scene {} has no surface that rays could meet", scene.name);
@@ -222,11 +226,15 @@ void RayScene::add(const Scene& scene, const Mesh& mesh) {
     geometry->positions.emplace_back(0.0F);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::uint32_t* corner = &mesh.indices[i];
-        if (has_area(mesh.vertices[corner[0]].position_m, mesh.vertices[corner[1]].position_m,
-                     mesh.vertices[corner[2]].position_m)) {
+        const glm::vec3& a = mesh.vertices[corner[0]].position_m;
+        const glm::vec3& b = mesh.vertices[corner[1]].position_m;
+        const glm::vec3& c = mesh.vertices[corner[2]].position_m;
+        const bool finite = is_finite(a) && is_finite(b) && is_finite(c);
+        if (finite && has_area(a, b, c)) {
             geometry->indices.insert(geometry->indices.end(), corner, corner + 3);
         } else {
             ++skipped_;
+            if (!finite) ++broken_;
         }
     }
     if (geometry->indices.empty()) return;

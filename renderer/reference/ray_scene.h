@@ -70,7 +70,8 @@ class RayScene {
     RTCScene scene_ = nullptr;
     glm::dvec3 origin_m_{0.0};
     std::vector<std::unique_ptr<Geometry>> geometries_;  ///< by Embree's geomID
-    std::size_t skipped_ = 0;
+    std::size_t skipped_ = 0;                            ///< triangles: those without area, and
+    std::size_t broken_ = 0;  ///< those with coordinates that are not finite
     std::string sha256_;
 };
 

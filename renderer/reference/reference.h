@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
+#include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
@@ -38,8 +39,9 @@ struct ReferenceImage {
     int width = 0;
     int height = 0;
     std::vector<float> accessibility;  ///< [0, 1]; exactly 1 where the camera sees nothing
-    /// Of each value, from the spread between independently scrambled parts of a pixel's rays (8
-    /// from 32 rays on); 0 where the camera sees nothing; 0.5, the most there can be, for 1 ray.
+    /// Of each value, from the spread between consecutive parts of the pixel's scrambled sequence
+    /// (8 from 32 rays on): rather too high than too low, see sampler.h. 0 where the camera sees
+    /// nothing; 0.5, the most there can be, for 1 ray.
     std::vector<float> standard_error;
     std::vector<float> depth_m;  ///< view depth of the exact intersection; kBackgroundDepth_m
 };
@@ -81,6 +83,9 @@ class ReferenceScene {
   private:
     std::unique_ptr<RayScene> rays_;
 };
+
+/// What the technique `reference` asks for: its samples are rays. The choice must have no problems.
+[[nodiscard]] ReferenceOptions reference_options(const TechniqueChoice& choice);
 
 /// Throws bad input naming the option, its value and what is allowed.
 void check_options(const ReferenceOptions& options);

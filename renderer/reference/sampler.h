@@ -2,34 +2,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 namespace obscura::renderer {
 
 /// Directions over the hemisphere about +Z with density cos / pi: Owen-scrambled points of the
 /// two-dimensional Sobol sequence on Shirley and Chiu's (1997) concentric map of the square to the
-/// disc, lifted to the hemisphere (Malley). A pixel's rays are split into parts, each a scrambled
-/// sequence of its own, independent of the others: their spread tells the standard error, which no
-/// single scrambled point set can.
+/// disc, lifted to the hemisphere (Malley). No scrambled point set can tell its own error; the
+/// spread between consecutive parts of it can. Each part is as well spread as a sequence of its
+/// length, and as together they also fill each other's gaps, that figure is rather too high than
+/// too low: by a factor of 1 where rays are few for what they meet, of parts^(1/4) where the edges
+/// of occluders decide, more where all is smooth.
 class HemisphereSampler {
   public:
     explicit HemisphereSampler(int rays);
 
     [[nodiscard]] int rays() const { return rays_; }
-    [[nodiscard]] int parts() const { return static_cast<int>(first_.size()) - 1; }
-    /// The first ray of a part; of part parts(), the number of rays.
-    [[nodiscard]] int first_of(int part) const { return first_[static_cast<std::size_t>(part)]; }
+    /// 8 from 32 rays on, at least four rays each; fewer below.
+    [[nodiscard]] int parts() const { return static_cast<int>(lengths_.size()); }
+    /// Which part each ray belongs to, and how many rays each part has.
+    [[nodiscard]] const std::vector<std::uint8_t>& part_of_ray() const { return part_; }
+    [[nodiscard]] int length_of(int part) const { return lengths_[static_cast<std::size_t>(part)]; }
 
-    /// All of a pixel's directions as unit vectors; `x`, `y` and `z` have room for rays() values.
-    /// `scramble` differs from pixel to pixel.
-    void directions(std::uint64_t scramble, float* x, float* y, float* z) const;
+    /// All of a pixel's directions as unit vectors, the hemisphere's axes being the columns of
+    /// `frame`; `x`, `y` and `z` have room for rays() values. `scramble` differs from pixel to
+    /// pixel. Neighbours in the list are neighbours on the hemisphere: points that share leading
+    /// bits share them after Owen's scrambling too, so one order serves every pixel.
+    void directions(std::uint64_t scramble, const glm::mat3& frame, float* x, float* y,
+                    float* z) const;
 
   private:
     int rays_;
-    std::vector<int> first_;            ///< of each part, and rays_
-    std::vector<std::uint32_t> sobol_;  ///< second dimension, bits reversed; the first is the index
+    std::vector<int> lengths_;  ///< of each part
+    // By ray, in the order of the list.
+    std::vector<std::uint32_t> first_;   ///< first dimension, bits reversed
+    std::vector<std::uint32_t> second_;  ///< second dimension, bits reversed
+    std::vector<std::uint8_t> part_;
 };
 
 /// A hash of 64 bits (SplitMix64's finaliser, Steele, Lea and Flood 2014).

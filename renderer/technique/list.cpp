@@ -8,10 +8,7 @@ namespace obscura::renderer {
 
 const std::vector<Technique>& techniques() {
     static const std::vector<Technique> list = {
-        make_none(),
-        make_crytek(),
-        make_blizzard(),
-        make_raymarch(),
+        make_none(), make_crytek(), make_blizzard(), make_raymarch(), make_reference(),
     };
     return list;
 }

@@ -11,5 +11,6 @@ Technique make_none();
 Technique make_crytek();
 Technique make_blizzard();
 Technique make_raymarch();
+Technique make_reference();
 
 }  // namespace obscura::renderer

@@ -97,6 +97,9 @@ std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice) {
                 {name, fmt::format("{} is out of range: allowed is {} to {}{}{}", value,
                                    parameter->low, parameter->high,
                                    parameter->unit.empty() ? "" : " ", parameter->unit)});
+        } else if (parameter->whole && value != std::floor(value)) {
+            problems.push_back({name, fmt::format("{} is not a whole number from {} to {}", value,
+                                                  parameter->low, parameter->high)});
         }
     }
     return problems;

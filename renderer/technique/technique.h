@@ -18,6 +18,7 @@ struct Parameter {
     double low = 0.0;       ///< smallest allowed
     double high = 1.0;      ///< largest allowed
     double standard = 0.0;  ///< the default, from the technique's source
+    bool whole = false;     ///< only whole numbers are allowed
 };
 
 /// How many samples a technique takes; 0 to 0 for one that takes none.
@@ -33,13 +34,16 @@ struct Technique {
     std::string name;      ///< in files and on the command line
     std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
     std::string citation;  ///< the definition's source
-    std::string shader;    ///< file in renderer/technique/; empty: accessibility is 1, no pass
+    std::string shader;    ///< file in renderer/technique/; empty: none
+    bool ray_traced = false;  ///< accessibility comes from the ray tracer instead of a shader
     bool reads_depth = false;
     bool reads_normal = false;
     SampleRange samples;
     int fetches_per_sample = 0;  ///< depth-buffer reads each sample may make
     std::vector<Parameter> parameters;
 
+    /// Whether it computes an accessibility; without one it is 1, and there is no pass for it.
+    [[nodiscard]] bool makes_accessibility() const { return ray_traced || !shader.empty(); }
     [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
 };
 

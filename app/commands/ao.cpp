@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <atomic>
+#include <charconv>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "app/commands/closed_forms_table.h"
+#include "app/commands/list.h"
+#include "app/commands/variants_help.h"
+#include "renderer/base/check.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "renderer/base/progress.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/context.h"
+#include "renderer/reference/exr.h"
+#include "renderer/reference/reference.h"
+#include "stimuli/scenes/scene_source.h"
+
+namespace obscura::app {
+namespace {
+
+using renderer::FloatImage;
+using renderer::TechniqueChoice;
+
+struct AoOptions {
+    std::string scene;
+    std::string camera;
+    std::string validity;
+    std::string technique;
+    std::optional<int> samples;  ///< the technique's standard
+    std::vector<std::string> settings;
+    std::string denoise = "none";
+    std::string size = "1280x720";
+    std::string out;
+    bool closed_forms = false;
+};
+
+/// What one run is to make.
+struct Wanted {
+    const stimuli::SceneSource& source;
+    const renderer::Scene& scene;
+    const renderer::Camera& camera;
+    stimuli::Validity validity;
+    const TechniqueChoice& choice;
+    int width;
+    int height;
+};
+
+std::atomic<bool> g_interrupted = false;  // set by a signal handler, which has no other way
+
+/// While it lives, the first Ctrl-C asks the work to stop; the second ends the program.
+class StopOnInterrupt {
+  public:
+    StopOnInterrupt() {
+        struct sigaction action = {};
+        action.sa_handler = [](int) { g_interrupted = true; };
+        action.sa_flags = SA_RESETHAND;
+        ::sigaction(SIGINT, &action, &before_);
+    }
+    ~StopOnInterrupt() { ::sigaction(SIGINT, &before_, nullptr); }
+    StopOnInterrupt(const StopOnInterrupt&) = delete;
+    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+
+  private:
+    struct sigaction before_ = {};
+};
+
+template <typename Number>
+bool read_number(std::string_view text, Number& number) {
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && rest == end;
+}
+
+void parse_size(const std::string& text, int& width, int& height) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos ||
+        !read_number(std::string_view(text).substr(0, cross), width) ||
+        !read_number(std::string_view(text).substr(cross + 1), height)) {
+        throw base::bad_input("--size: \"{}\" is not WxH, such as 1280x720", text);
+    }
+    base::check_range("--size", "width", width, 1, 16384);
+    base::check_range("--size", "height", height, 1, 16384);
+}
+
+TechniqueChoice choice_of(const AoOptions& options) {
+    TechniqueChoice choice;
+    choice.technique = options.technique;
+    choice.denoise = options.denoise;
+    const renderer::Technique* technique = renderer::find_technique(options.technique);
+    if (technique != nullptr) {
+        choice.samples = options.samples.value_or(technique->samples.standard);
+    }
+    for (const std::string& setting : options.settings) {
+        const std::size_t equals = setting.find('=');
+        double value = 0.0;
+        if (equals == std::string::npos || equals == 0 ||
+            !read_number(std::string_view(setting).substr(equals + 1), value)) {
+            throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
+        }
+        if (!choice.parameters.emplace(setting.substr(0, equals), value).second) {
+            throw base::bad_input("--set: \"{}\" is set twice", setting.substr(0, equals));
+        }
+    }
+    std::string all;
+    for (const renderer::ChoiceProblem& problem : renderer::problems_of(choice)) {
+        const bool own_option =
+            problem.key == "technique" || problem.key == "samples" || problem.key == "denoise";
+        all += fmt::format("{}{}{}: {}", all.empty() ? "" : "\n", own_option ? "--" : "--set ",
+                           problem.key, problem.message);
+    }
+    if (!all.empty()) throw base::bad_input("{}", all);
+    if (!technique->makes_accessibility() && choice.denoise != "none") {
+        throw base::bad_input("--denoise: \"{}\" is not allowed: {} has no buffer to smooth",
+                              choice.denoise, choice.technique);
+    }
+    return choice;
+}
+
+void require_writable_file(const std::filesystem::path& file) {
+    if (file.extension() != ".exr") {
+        throw base::bad_input("--out: \"{}\" does not end in .exr", file.string());
+    }
+    if (std::filesystem::is_directory(file)) {
+        throw base::bad_input("--out: {} is a directory", file.string());
+    }
+    base::require_writable_folder(file.has_parent_path() ? file.parent_path() : ".", "--out");
+}
+
+renderer::ReferenceImage traced(const renderer::Scene& scene, const renderer::Camera& camera,
+                                int width, int height, const TechniqueChoice& choice,
+                                const Globals& globals) {
+    const StopOnInterrupt stop;
+    base::Progress progress("trace", 100, globals.quiet);
+    int percent = 0;
+    const auto tell = [&](double share) {
+        for (; percent < static_cast<int>(100.0 * share); ++percent) progress.step("%");
+        return !g_interrupted;
+    };
+    return renderer::cached_reference(globals.data / "cache" / "reference",
+                                      renderer::ReferenceScene(scene), camera, width, height,
+                                      renderer::reference_options(choice), tell);
+}
+
+/// By the passes of a frame, as an image of a study has it.
+std::vector<float> rendered(const Wanted& wanted, const Globals& globals) {
+    const renderer::HeadlessContext context;
+    const renderer::GpuScene gpu(wanted.scene);
+    const renderer::Lighting lighting = wanted.source.lighting(wanted.validity);
+    const renderer::FramePlan plan = renderer::plan_frame(
+        renderer::needs_of(wanted.scene, lighting), wanted.choice, wanted.width, wanted.height);
+    const auto trace = [&](const renderer::Camera& camera, int width, int height,
+                           const TechniqueChoice& choice) {
+        return traced(wanted.scene, camera, width, height, choice, globals).accessibility;
+    };
+    renderer::Renderer renderer;
+    const renderer::Frame frame =
+        renderer.render(gpu, lighting, wanted.camera, wanted.choice, plan, trace);
+    if (!plan.has(renderer::Pass::kAccessibility)) {
+        const auto pixels =
+            static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height);
+        return std::vector<float>(pixels, 1.0F);
+    }
+    return frame.read_floats(plan.final_accessibility());
+}
+
+std::array<float, 16> flat(const glm::mat4& matrix) {
+    std::array<float, 16> values{};
+    std::memcpy(values.data(), &matrix[0][0], sizeof values);
+    return values;
+}
+
+/// Says of the image what it is of.
+void describe(const Wanted& wanted, FloatImage& image) {
+    const TechniqueChoice& choice = wanted.choice;
+    image.texts = {{"obscura:scene", wanted.source.id},
+                   {"obscura:camera", wanted.camera.name},
+                   {"obscura:validity", std::string(to_string(wanted.validity))},
+                   {"obscura:technique", choice.technique},
+                   {"obscura:samples", std::to_string(choice.samples)},
+                   {"obscura:denoise", choice.denoise}};
+    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
+        image.texts["obscura:" + parameter.name] = fmt::format("{}", choice.value_of(parameter));
+    }
+    const renderer::CameraMatrices matrices =
+        renderer::matrices_of(wanted.camera, wanted.width, wanted.height);
+    image.matrices = {{"obscura:view", flat(matrices.view_from_world)},
+                      {"obscura:projection", flat(matrices.clip_from_view)}};
+}
+
+base::ExitCode ao(const AoOptions& options, const Globals& globals) {
+    if (options.closed_forms) {
+        print_closed_forms(options.samples.value_or(4096), 1);
+        return base::ExitCode::kDone;
+    }
+    for (const auto& [name, value] : {std::pair("--scene", &options.scene),
+                                      {"--technique", &options.technique},
+                                      {"--out", &options.out}}) {
+        if (value->empty()) throw base::bad_input("{} is missing", name);
+    }
+    FloatImage image;
+    parse_size(options.size, image.width, image.height);
+    const TechniqueChoice choice = choice_of(options);
+    require_writable_file(options.out);
+    const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
+    const std::string camera = source.camera_for(options.camera);
+    const stimuli::Validity validity = source.level_for(options.validity);
+    const renderer::Scene scene = source.build();
+    const Wanted wanted{source,      scene,       *scene.find_camera(camera), validity, choice,
+                        image.width, image.height};
+    describe(wanted, image);
+    const bool as_traced =
+        renderer::find_technique(choice.technique)->ray_traced && choice.denoise == "none";
+    if (as_traced) {
+        renderer::ReferenceImage truth =
+            traced(scene, wanted.camera, image.width, image.height, choice, globals);
+        image.channels = {{"ao.Y", std::move(truth.accessibility)},
+                          {"ao.stderr", std::move(truth.standard_error)}};
+    } else {
+        image.channels = {{"ao.Y", rendered(wanted, globals)}};
+    }
+    base::write_file_atomically(options.out, renderer::encode_exr(image));
+    spdlog::info("{}: accessibility by {} of scene {} from camera {}, {}x{}", options.out,
+                 choice.variant_name(), source.id, wanted.camera.name, image.width, image.height);
+    return base::ExitCode::kDone;
+}
+
+}  // namespace
+
+Command ao_command() {
+    return {"ao", "One accessibility buffer by any technique, the ray-traced reference included",
+            [](CLI::App& app, const Globals& globals) -> std::function<base::ExitCode()> {
+                const auto options = std::make_shared<AoOptions>();
+                app.add_option("--scene", options->scene, "Built-in scene");
+                app.add_option("--camera", options->camera, "Its camera (default: the first)");
+                app.add_option("--validity", options->validity,
+                               "low, moderate or high: the level of the scene's light (default: "
+                               "its first)");
+                app.add_option("--technique", options->technique, "See below");
+                app.add_option("--samples", options->samples,
+                               "Samples, or rays, a pixel (default: the technique's)");
+                app.add_option("--set", options->settings, "KEY=NUMBER: a parameter, see below")
+                    ->allow_extra_args(false);
+                app.add_option("--denoise", options->denoise, "Filter")->capture_default_str();
+                app.add_option("--size", options->size, "WxH in pixels")->capture_default_str();
+                app.add_option("--out", options->out,
+                               "OpenEXR file: channel ao.Y, of the unfiltered reference also "
+                               "ao.stderr, its standard error");
+                app.add_flag("--closed-forms", options->closed_forms,
+                             "Instead: hold the reference against every scene whose accessibility "
+                             "is known, and print the table (exit code 3 if one does not hold)");
+                app.footer(variants_help());
+                return [options, &globals] { return ao(*options, globals); };
+            }};
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/variants_help.h"
+
+#include <fmt/format.h>
+
+#include "renderer/denoise/denoise.h"
+#include "renderer/technique/technique.h"
+
+namespace obscura::app {
+
+std::string variants_help() {
+    std::string text = "Techniques:\n";
+    for (const renderer::Technique& technique : renderer::techniques()) {
+        text += fmt::format("  {} ({})\n", technique.name, technique.citation);
+        if (technique.samples.high > 0) {
+            text +=
+                fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
+                            technique.samples.high, technique.samples.standard,
+                            technique.samples.multiple_of > 1
+                                ? fmt::format(", multiples of {}", technique.samples.multiple_of)
+                                : "");
+        }
+        for (const renderer::Parameter& parameter : technique.parameters) {
+            text +=
+                fmt::format("    {}: {}; {} to {}{}{}, default {}\n", parameter.name,
+                            parameter.meaning, parameter.low, parameter.high,
+                            parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
+        }
+    }
+    text += "Filters:\n";
+    for (const renderer::Denoise& denoise : renderer::denoise_filters()) {
+        text += fmt::format("  {} ({})\n", denoise.name, denoise.citation);
+    }
+    return text;
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "stimuli/scenes/scene_source.h"
+
+#include "renderer/base/error.h"
+#include "stimuli/scenes/builtin_scene.h"
+
+namespace obscura::stimuli {
+namespace {
+
+void append(std::string& list, std::string_view name) {
+    if (!list.empty()) list += ", ";
+    list += name;
+}
+
+}  // namespace
+
+std::string SceneSource::camera_for(const std::string& name) const {
+    if (name.empty()) return cameras.front();
+    std::string known;
+    for (const std::string& camera : cameras) {
+        if (camera == name) return camera;
+        append(known, camera);
+    }
+    throw base::bad_input("--camera: scene {} has no camera \"{}\"; it has {}", id, name, known);
+}
+
+Validity SceneSource::level_for(const std::string& name) const {
+    if (name.empty()) return levels.front();
+    std::string known;
+    for (const Validity level : levels) {
+        if (to_string(level) == name) return level;
+        append(known, to_string(level));
+    }
+    throw base::bad_input("--validity: scene {} has no level \"{}\"; it has {}", id, name, known);
+}
+
+SceneSource find_scene_source(const std::string& source) {
+    if (const BuiltinScene* builtin = find_builtin_scene(source)) {
+        return {builtin->id, builtin->cameras, builtin->levels, builtin->build, builtin->lighting};
+    }
+    std::string known;
+    for (const BuiltinScene& scene : builtin_scenes()) append(known, scene.id);
+    throw base::bad_input("--scene: there is no scene \"{}\"; built in are {}", source, known);
+}
+
+}  // namespace obscura::stimuli

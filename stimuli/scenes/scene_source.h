@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "renderer/light/lighting.h"
+#include "renderer/scene/scene.h"
+#include "stimuli/validity.h"
+
+namespace obscura::stimuli {
+
+/// A scene with its light, wherever it comes from, before it is built.
+struct SceneSource {
+    std::string id;
+    std::vector<std::string> cameras;  ///< at least one, as build() names them
+    std::vector<Validity> levels;      ///< at least one
+    std::function<renderer::Scene()> build;
+    std::function<renderer::Lighting(Validity)> lighting;  ///< for one of `levels`
+
+    /// The name itself, the first camera's for "". Throws bad input naming those there are.
+    [[nodiscard]] std::string camera_for(const std::string& name) const;
+    /// The level of that name, the first for "". Throws bad input naming those there are.
+    [[nodiscard]] Validity level_for(const std::string& name) const;
+};
+
+/// What a command line calls by `--scene`: the id of a built-in scene. Throws bad input naming the
+/// built-in scenes when there is no such scene.
+[[nodiscard]] SceneSource find_scene_source(const std::string& source);
+
+}  // namespace obscura::stimuli
