@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "stimuli/scenes/scene_source.h"
 
+#include <memory>
+
 #include "renderer/base/error.h"
-#include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/scenes/open_scene.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -36,12 +38,16 @@ Validity SceneSource::level_for(const std::string& name) const {
 }
 
 SceneSource find_scene_source(const std::string& source) {
-    if (const BuiltinScene* builtin = find_builtin_scene(source)) {
-        return {builtin->id, builtin->cameras, builtin->levels, builtin->build, builtin->lighting};
+    const auto opened = std::make_shared<const OpenedScene>(open_scene(source));
+    SceneSource found;
+    found.id = opened->id;
+    for (const renderer::Camera& camera : opened->scene->cameras) {
+        found.cameras.push_back(camera.name);
     }
-    std::string known;
-    for (const BuiltinScene& scene : builtin_scenes()) append(known, scene.id);
-    throw base::bad_input("--scene: there is no scene \"{}\"; built in are {}", source, known);
+    found.levels = opened->levels;
+    found.build = [opened] { return *opened->scene; };
+    found.lighting = opened->lighting;
+    return found;
 }
 
 }  // namespace obscura::stimuli

@@ -26,8 +26,8 @@ struct SceneSource {
     [[nodiscard]] Validity level_for(const std::string& name) const;
 };
 
-/// What a command line calls by `--scene`: the id of a built-in scene. Throws bad input naming the
-/// built-in scenes when there is no such scene.
+/// What a command line calls by `--scene`: the id of a built-in scene, or a glTF or OBJ file.
+/// Throws bad input as open_scene does.
 [[nodiscard]] SceneSource find_scene_source(const std::string& source);
 
 }  // namespace obscura::stimuli
