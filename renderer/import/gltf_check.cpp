@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 40U;  // far above what any buffer may hold
 
+// A parsed document takes up to twenty times its text.
+constexpr std::size_t kMostJsonBytes = std::size_t{64} << 20U;
+
 // Required extensions that are shown in full, or as near as the notes say.
 constexpr std::array<std::string_view, 10> kKnownExtensions = {
     "KHR_lights_punctual",
@@ -136,6 +139,12 @@ void check_extensions(const JsonCursor& root, Notes& notes) {
 GltfFile::GltfFile(std::string bytes, std::string name, const Reader& read, Notes& notes)
     : bytes_(std::move(bytes)), name_(std::move(name)) {
     open_container(notes);
+    if (json_text_.size() > kMostJsonBytes) {
+        throw base::bad_input(
+            "{}: its JSON has {} bytes, allowed are {}; buffers and images belong into files of "
+            "their own or a .glb",
+            name_, json_text_.size(), kMostJsonBytes);
+    }
     try {
         json_ = nlohmann::json::parse(json_text_);
     } catch (const nlohmann::json::exception& error) {

@@ -125,9 +125,11 @@ const std::vector<glm::dmat4>& GltfImport::joints_of(std::size_t skin) {
     if (const auto index =
             cursor.index("inverseBindMatrices", file_.accessors().size(), "accessors")) {
         const GltfAccessor& accessor = file_.accessors()[*index];
-        if (accessor.components != 16 || accessor.count < count) {
+        constexpr std::size_t kMostJoints = 65536;  // what the indices of joints reach
+        if (accessor.components != 16 || accessor.count < count || accessor.count > kMostJoints) {
             cursor.at("inverseBindMatrices")
-                .fail(fmt::format("allowed is an accessor of {} elements of type MAT4", count));
+                .fail(fmt::format("is of {} elements, allowed are {} to {} of type MAT4",
+                                  accessor.count, count, kMostJoints));
         }
         inverse = file_.floats(accessor);
     }
