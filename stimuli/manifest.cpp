@@ -32,6 +32,12 @@ ManifestToneMapping tone_mapping_from(const Json& json) {
     return {json.at("curve"), json.at("exposure"), json.at("white")};
 }
 
+Json to_json(const std::vector<ManifestImage::SceneFile>& files) {
+    Json json = Json::array();
+    for (const auto& file : files) json.push_back({{"name", file.name}, {"sha256", file.sha256}});
+    return json;
+}
+
 Json to_json(const ManifestImage& image) {
     return {{"file", image.file},
             {"sha256", image.sha256},
@@ -41,6 +47,8 @@ Json to_json(const ManifestImage& image) {
             {"source", image.source},
             {"camera", image.camera},
             {"validity", image.validity},
+            {"settings", Json::parse(image.settings)},
+            {"scene_files", to_json(image.scene_files)},
             {"technique", image.technique},
             {"samples", image.samples},
             {"parameters", image.parameters},
@@ -64,6 +72,11 @@ ManifestImage image_from(const Json& json) {
     json.at("source").get_to(image.source);
     json.at("camera").get_to(image.camera);
     json.at("validity").get_to(image.validity);
+    // Manifests of before scenes came from files have none of these.
+    image.settings = json.value("settings", Json::object()).dump();
+    for (const Json& file : json.value("scene_files", Json::array())) {
+        image.scene_files.push_back({file.at("name"), file.at("sha256")});
+    }
     json.at("technique").get_to(image.technique);
     json.at("samples").get_to(image.samples);
     json.at("parameters").get_to(image.parameters);
@@ -96,7 +109,9 @@ std::string problem_of_size(const Study& study, const std::filesystem::path& pat
 }
 
 std::string in_words(const std::string& source, const std::string& camera,
-                     std::string_view validity, const renderer::TechniqueChoice& choice) {
+                     std::string_view validity, const std::string& scene_settings,
+                     const renderer::TechniqueChoice& choice) {
+    const std::string with = scene_settings == "{}" ? "" : " with " + scene_settings;
     std::string settings;
     const renderer::Technique* technique = renderer::find_technique(choice.technique);
     if (technique != nullptr) {
@@ -104,8 +119,8 @@ std::string in_words(const std::string& source, const std::string& camera,
             settings += fmt::format(", {} {}", parameter.name, choice.value_of(parameter));
         }
     }
-    return fmt::format("{} from {}, validity {}, {}{}, denoise {}", source, camera, validity,
-                       choice.variant_name(), settings, choice.denoise);
+    return fmt::format("{} from {}, validity {}{}, {}{}, denoise {}", source, camera, validity,
+                       with, choice.variant_name(), settings, choice.denoise);
 }
 
 renderer::TechniqueChoice choice_of(const ManifestImage& image) {
@@ -120,8 +135,10 @@ std::string problem_of_content(const Study& study, const Condition& condition,
     const renderer::TechniqueChoice& wanted = image.side == "a" ? condition.a : condition.b;
     const renderer::TechniqueChoice made = choice_of(image);
     return fmt::format("{}: it shows {}; the study asks for {}; obscura render makes it anew",
-                       path.string(), in_words(image.source, image.camera, image.validity, made),
-                       in_words(scene.source, scene.camera, to_string(scene.validity), wanted));
+                       path.string(),
+                       in_words(image.source, image.camera, image.validity, image.settings, made),
+                       in_words(scene.source, scene.camera, to_string(scene.validity),
+                                to_json(scene.settings), wanted));
 }
 
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
@@ -163,7 +180,8 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
     if (condition == nullptr) return false;
     const StudyScene& scene = study.scene_of(*condition);
     return image.source == scene.source && image.camera == scene.camera &&
-           image.validity == to_string(scene.validity) && image.width == study.width &&
+           image.validity == to_string(scene.validity) &&
+           image.settings == to_json(scene.settings) && image.width == study.width &&
            image.height == study.height && image.supersampling == study.supersampling &&
            same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
 }

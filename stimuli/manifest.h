@@ -29,6 +29,13 @@ struct ManifestImage {
     std::string source;  ///< the scene that it is
     std::string camera;
     std::string validity;
+    std::string settings = "{}";  ///< what the study says of the scene beyond that, as JSON
+    /// A file that the scene is made of: its name and the SHA-256 of its bytes.
+    struct SceneFile {
+        std::string name;
+        std::string sha256;
+    };
+    std::vector<SceneFile> scene_files;  ///< none for a built-in scene
     std::string technique;
     int samples = 0;
     std::map<std::string, double> parameters;  ///< every parameter, those at their default too
@@ -66,7 +73,7 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest);
                                                    const Study& study);
 
 /// Whether the image shows what the study asks of its condition and side: scene, camera, validity,
-/// size, technique and every parameter.
+/// settings, size, technique and every parameter.
 [[nodiscard]] bool shows_what_is_asked(const Study& study, const ManifestImage& image);
 
 /// Everything that keeps a study from being shown, a sentence each naming the file: no manifest,

@@ -61,40 +61,48 @@ std::vector<Stimulus> stimuli_of(const Study& study) {
 StimulusRenderer::StimulusRenderer(const Study& study, const std::vector<BuiltinScene>& catalogue)
     : study_(study), catalogue_(catalogue), environment_sha256_(hash_of_environment()) {}
 
-const BuiltinScene& StimulusRenderer::builtin(const std::string& source) const {
-    for (const BuiltinScene& scene : catalogue_) {
-        if (scene.id == source) return scene;
-    }
-    throw base::bad_input("there is no scene \"{}\"", source);
+void StimulusRenderer::load(const StudyScene& scene) {
+    if (loaded_.source == scene.source && loaded_.scale == scene.settings.scale) return;
+    loaded_ = {};
+    SceneSettings geometry;
+    geometry.scale = scene.settings.scale;
+    loaded_.opened = open_scene(scene.source, geometry, study_.folder, catalogue_);
+    loaded_.gpu = std::make_unique<renderer::GpuScene>(*loaded_.opened.scene);
+    loaded_.source = scene.source;
+    loaded_.scale = scene.settings.scale;
 }
 
-void StimulusRenderer::load(const std::string& source) {
-    if (loaded_.source == source) return;
-    loaded_ = {};
-    loaded_.scene = builtin(source).build();
-    loaded_.gpu = std::make_unique<renderer::GpuScene>(loaded_.scene);
-    loaded_.source = source;
+const renderer::Lighting& StimulusRenderer::lighting_of(const StudyScene& scene) {
+    const auto known = lightings_.find(scene.id);
+    if (known != lightings_.end()) return known->second;
+    renderer::Lighting lighting = with_settings(loaded_.opened.lighting(scene.validity),
+                                                scene.validity, scene.settings, study_.folder);
+    return lightings_.emplace(scene.id, std::move(lighting)).first->second;
+}
+
+const std::vector<renderer::ImportedFile>& StimulusRenderer::files_of(
+    const StudyScene& scene) const {
+    if (!scene.files.empty()) return scene.files;  // as they were when the study was read
+    const auto [entry, fresh] = files_.try_emplace(scene.id);
+    if (fresh && (is_file_source(scene.source) || !scene.settings.environment.empty())) {
+        entry->second = open_scene(scene.source, scene.settings, study_.folder, catalogue_).files;
+    }
+    return entry->second;
 }
 
 StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
-    load(scene.source);
-    const renderer::Camera* camera = loaded_.scene.find_camera(scene.camera);
-    if (camera == nullptr) {
-        throw base::bad_input("scene \"{}\" has no camera \"{}\"", scene.source, scene.camera);
-    }
-    const auto key = std::pair(scene.source, scene.validity);
-    if (!lightings_.contains(key)) {
-        lightings_.emplace(key, builtin(scene.source).lighting(scene.validity));
-    }
-    return {lightings_.at(key), *camera};
+    load(scene);
+    const renderer::Camera& camera =
+        scene.settings.camera ? *scene.settings.camera : loaded_.opened.camera(scene.camera);
+    return {lighting_of(scene), camera};
 }
 
 renderer::TracedAccessibility StimulusRenderer::tracer() {
     return [this](const renderer::Camera& camera, int width, int height,
                   const renderer::TechniqueChoice& choice) {
         if (!loaded_.reference) {
-            loaded_.reference = std::make_unique<renderer::ReferenceScene>(loaded_.scene);
+            loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
         }
         return loaded_.reference->trace(camera, width, height, renderer::reference_options(choice))
             .accessibility;
@@ -105,8 +113,8 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options) {
     const View view = view_of(stimulus);
     const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(loaded_.scene, view.lighting), stimulus.choice(),
-                             study_.width, study_.height, options);
+        renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
+                             stimulus.choice(), study_.width, study_.height, options);
     return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
                             tracer());
 }
@@ -119,8 +127,8 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
     const renderer::FramePlan plan = renderer::plan_frame(
-        renderer::needs_of_everything(loaded_.scene, lighting), stimulus.choice(), study_.width,
-        study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
+        renderer::needs_of_everything(*loaded_.opened.scene, lighting), stimulus.choice(),
+        study_.width, study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
     return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
 }
 
@@ -155,6 +163,10 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.source = scene.source;
     image.camera = scene.camera;
     image.validity = to_string(scene.validity);
+    image.settings = to_json(scene.settings);
+    for (const renderer::ImportedFile& file : files_of(scene)) {
+        image.scene_files.push_back({file.path.filename().string(), file.sha256});
+    }
     image.technique = choice.technique;
     image.samples = choice.samples;
     image.parameters = parameters_of(choice);
@@ -162,7 +174,7 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.width = study_.width;
     image.height = study_.height;
     image.supersampling = study_.supersampling;
-    image.tone_mapping = tone_mapping_of(lightings_.at({scene.source, scene.validity}));
+    image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
     for (const renderer::PassTime& time : frame.times) {
         image.passes.push_back(renderer::to_string(time.pass));
         image.milliseconds += time.milliseconds;
@@ -174,10 +186,14 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
 std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
     const renderer::TechniqueChoice& choice = stimulus.choice();
+    Json files = Json::array();
+    for (const renderer::ImportedFile& file : files_of(scene)) files.push_back(file.sha256);
     const Json inputs = {{"environment", environment_sha256_},
                          {"source", scene.source},
                          {"camera", scene.camera},
                          {"validity", to_string(scene.validity)},
+                         {"settings", to_json(scene.settings)},
+                         {"files", files},
                          {"technique", choice.technique},
                          {"samples", choice.samples},
                          {"parameters", parameters_of(choice)},

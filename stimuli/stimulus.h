@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "renderer/frame/renderer.h"
@@ -14,6 +13,7 @@
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/scenes/open_scene.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
@@ -55,14 +55,17 @@ class StimulusRenderer {
     [[nodiscard]] ManifestImage describe(const Stimulus& stimulus,
                                          const renderer::Frame& frame) const;
 
-    /// SHA-256 of everything the image follows from: this program, the driver, the scene's source,
-    /// camera and validity, technique and every parameter, the resolution.
+    /// SHA-256 of everything the image follows from: this program, the driver, the scene's source
+    /// with the bytes of its files, camera, validity and settings, technique and every parameter,
+    /// the resolution.
     [[nodiscard]] std::string inputs_sha256(const Stimulus& stimulus) const;
 
   private:
+    /// The scene of a source, kept until another one is wanted.
     struct Loaded {
         std::string source;
-        renderer::Scene scene;
+        double scale = 1.0;
+        OpenedScene opened;
         std::unique_ptr<renderer::GpuScene> gpu;
         std::unique_ptr<renderer::ReferenceScene> reference;  ///< once an image needs it
     };
@@ -75,14 +78,17 @@ class StimulusRenderer {
     /// Traces rays through the scene that is loaded, for the technique that asks for it.
     renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options);
-    void load(const std::string& source);
-    [[nodiscard]] const BuiltinScene& builtin(const std::string& source) const;
+    void load(const StudyScene& scene);
+    const renderer::Lighting& lighting_of(const StudyScene& scene);
+    [[nodiscard]] const std::vector<renderer::ImportedFile>& files_of(
+        const StudyScene& scene) const;
 
     const Study& study_;
     const std::vector<BuiltinScene>& catalogue_;
     renderer::Renderer renderer_;
     Loaded loaded_;
-    std::map<std::pair<std::string, Validity>, renderer::Lighting> lightings_;
+    std::map<std::string, renderer::Lighting> lightings_;  ///< by the scene's id
+    mutable std::map<std::string, std::vector<renderer::ImportedFile>> files_;  ///< the same
     std::string environment_sha256_;  ///< of program, driver and shaders
 };
 

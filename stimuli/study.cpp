@@ -53,14 +53,15 @@ const Condition* Study::find_condition(std::string_view id) const {
     return found != conditions.end() ? &*found : nullptr;
 }
 
-std::vector<StudyProblem> problems_of_study(std::string_view text) {
-    return read_study(text, builtin_scenes()).problems;
+std::vector<StudyProblem> problems_of_study(std::string_view text,
+                                            const std::filesystem::path& folder) {
+    return read_study(text, builtin_scenes(), folder).problems;
 }
 
 StudySource study_source(const std::string& file_or_name) {
     const std::string wanted = file_or_name.empty() ? std::string(kDefaultStudy) : file_or_name;
     const std::string_view builtin = embedded(embedded_file_of(wanted));
-    if (builtin.data() != nullptr) return {wanted, std::string(builtin)};
+    if (builtin.data() != nullptr) return {wanted, std::string(builtin), {}};
     std::error_code ignored;
     if (!std::filesystem::exists(wanted, ignored)) {
         throw base::bad_input(
@@ -68,7 +69,7 @@ StudySource study_source(const std::string& file_or_name) {
             "built in are {}",
             wanted, builtin_names());
     }
-    return {wanted, base::read_file(wanted)};
+    return {wanted, base::read_file(wanted), std::filesystem::path(wanted).parent_path()};
 }
 
 std::string to_lines(const std::vector<StudyProblem>& problems, const std::string& name) {
@@ -81,15 +82,16 @@ std::string to_lines(const std::vector<StudyProblem>& problems, const std::strin
     return lines;
 }
 
-Study parse_study(std::string_view text, const std::string& name) {
-    StudyReading reading = read_study(text, builtin_scenes());
+Study parse_study(std::string_view text, const std::string& name,
+                  const std::filesystem::path& folder, SceneFiles files) {
+    StudyReading reading = read_study(text, builtin_scenes(), folder, files);
     if (!reading.problems.empty()) throw base::bad_input("{}", to_lines(reading.problems, name));
     return std::move(reading.study);
 }
 
-Study load_study(const std::string& file_or_name) {
+Study load_study(const std::string& file_or_name, SceneFiles files) {
     const StudySource source = study_source(file_or_name);
-    return parse_study(source.text, source.name);
+    return parse_study(source.text, source.name, source.folder, files);
 }
 
 }  // namespace obscura::stimuli

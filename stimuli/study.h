@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/import/import.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/order/order.h"
+#include "stimuli/scenes/scene_settings.h"
 #include "stimuli/validity.h"
 
 namespace obscura::stimuli {
@@ -18,9 +20,20 @@ namespace obscura::stimuli {
 /// A scene as a study uses it.
 struct StudyScene {
     std::string id;
-    std::string source;  ///< a built-in scene
-    std::string camera;
+    std::string source;  ///< a built-in scene, or a glTF or OBJ file relative to the study's
+    std::string camera;  ///< kStudyCamera: the one in `settings`
     Validity validity = Validity::kLow;
+    SceneSettings settings = {};
+    std::vector<renderer::ImportedFile> files = {};  ///< that the source and its light consist of
+};
+
+/// What a camera is called that the study file describes itself.
+inline constexpr std::string_view kStudyCamera = "study";
+
+/// Whether the files that a study's scenes are made of are looked into.
+enum class SceneFiles {
+    kOpened,  ///< each is read, and what is wrong with it is a problem of the study
+    kTrusted  ///< none is: enough to show images that were made before
 };
 
 /// One stimulus pair.
@@ -63,7 +76,8 @@ struct Study {
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
     ExclusionRule exclusion;
-    std::string sha256;  ///< of the file's bytes
+    std::string sha256;            ///< of the file's bytes
+    std::filesystem::path folder;  ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
     /// The condition of that id, or nullptr.
@@ -77,12 +91,15 @@ struct StudyProblem {
 };
 
 /// Everything wrong with the text of a study file, ordered by line; empty when it can be run.
-[[nodiscard]] std::vector<StudyProblem> problems_of_study(std::string_view text);
+/// `folder` is what the paths in it are relative to.
+[[nodiscard]] std::vector<StudyProblem> problems_of_study(std::string_view text,
+                                                          const std::filesystem::path& folder = {});
 
-/// The text of a study file and how messages call it.
+/// The text of a study file, how messages call it, and the folder its paths are relative to.
 struct StudySource {
     std::string name;
     std::string text;
+    std::filesystem::path folder = {};
 };
 
 /// The text of the file, or of the built-in study of that name (`jakobsen2010`, also for ""). A
@@ -96,9 +113,12 @@ struct StudySource {
 
 /// Parses and checks. `name` stands for the text in messages. Throws bad input that lists every
 /// problem as `name:line: message`.
-[[nodiscard]] Study parse_study(std::string_view text, const std::string& name);
+[[nodiscard]] Study parse_study(std::string_view text, const std::string& name,
+                                const std::filesystem::path& folder = {},
+                                SceneFiles files = SceneFiles::kOpened);
 
 /// parse_study of study_source.
-[[nodiscard]] Study load_study(const std::string& file_or_name);
+[[nodiscard]] Study load_study(const std::string& file_or_name,
+                               SceneFiles files = SceneFiles::kOpened);
 
 }  // namespace obscura::stimuli

@@ -11,6 +11,7 @@
 #include "renderer/base/hash.h"
 #include "renderer/frame/plan.h"
 #include "stimuli/attention_reader.h"
+#include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_reader.h"
 
@@ -23,13 +24,6 @@ using Problems = std::vector<StudyProblem>;
 constexpr std::int64_t kMostPixels = 16384;  // a side; what OpenGL 4.5 drivers allow at least
 constexpr std::int64_t kMostGreyMs = 60000;
 constexpr std::size_t kLongestId = 64;
-
-template <typename List>
-std::vector<std::string> names_of(const List& list) {
-    std::vector<std::string> names;
-    for (const auto& value : list) names.emplace_back(to_string(value));
-    return names;
-}
 
 /// A text that is not blank.
 std::string read_text(TableReader& reader, const std::string& key, Need need) {
@@ -57,19 +51,6 @@ std::string read_id(TableReader& reader, const std::string& key) {
         return "";
     }
     return *id;
-}
-
-/// A text out of a list of names; nothing where it is missing or wrong.
-std::optional<std::string> read_choice(TableReader& reader, const std::string& key, Need need,
-                                       const std::vector<std::string>& names) {
-    std::optional<std::string> choice = reader.text(key, need);
-    if (!choice) return std::nullopt;
-    if (std::find(names.begin(), names.end(), *choice) == names.end()) {
-        reader.add(key, fmt::format("{} is unknown, allowed are {}{}", in_quotes(*choice),
-                                    listed(names), did_you_mean(*choice, names)));
-        return std::nullopt;
-    }
-    return choice;
 }
 
 void read_resolution(TableReader& reader, Study& study) {
@@ -114,7 +95,7 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
         reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
     study.grey_level = static_cast<int>(
         reader.integer("grey_level", Need::kOptional, 0, 255).value_or(study.grey_level));
-    const auto order = read_choice(reader, "order", Need::kOptional, names_of(kOrderKinds));
+    const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);
     study.seed = static_cast<std::uint64_t>(
         reader.integer("seed", Need::kRequired, 0, std::numeric_limits<std::int64_t>::max())
@@ -147,38 +128,6 @@ std::vector<const toml::table*> read_entries(TableReader& root, const std::strin
         root.add(key, fmt::format("holds something that is no table, allowed is {}", wanted));
     }
     return entries;
-}
-
-void read_camera_and_level(TableReader& reader, const BuiltinScene& builtin, StudyScene& scene) {
-    scene.camera = read_choice(reader, "camera", Need::kRequired, builtin.cameras).value_or("");
-    const auto level = read_choice(reader, "validity", Need::kRequired, names_of(kValidities));
-    if (!level) return;
-    scene.validity = *validity_from(*level);
-    if (std::find(builtin.levels.begin(), builtin.levels.end(), scene.validity) ==
-        builtin.levels.end()) {
-        reader.add("validity", fmt::format("{} has no light for {}, allowed are {}", builtin.id,
-                                           in_quotes(*level), listed(names_of(builtin.levels))));
-    }
-}
-
-StudyScene read_scene(TableReader& reader, const std::vector<BuiltinScene>& catalogue) {
-    StudyScene scene;
-    scene.id = read_id(reader, "id");
-    std::vector<std::string> sources;
-    for (const BuiltinScene& builtin : catalogue) sources.push_back(builtin.id);
-    const auto source = read_choice(reader, "source", Need::kRequired, sources);
-    if (source) {
-        scene.source = *source;
-        const auto builtin = std::find_if(catalogue.begin(), catalogue.end(),
-                                          [&](const auto& b) { return b.id == *source; });
-        read_camera_and_level(reader, *builtin, scene);
-    } else {
-        // Which cameras and levels there are is not known without the source.
-        scene.camera = reader.text("camera", Need::kRequired).value_or("");
-        (void)read_choice(reader, "validity", Need::kRequired, names_of(kValidities));
-    }
-    reader.finish();
-    return scene;
 }
 
 /// One side of a condition; nothing where it is missing or something in it is wrong.
@@ -240,7 +189,7 @@ void check_condition_count(const Study& study, const std::vector<const toml::tab
     }
 }
 
-void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalogue, Study& study,
+void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
                Problems& problems) {
     TableReader reader(root, "file", problems);
     const toml::table* table = reader.table("study", Need::kRequired);
@@ -251,7 +200,7 @@ void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalog
     const auto scenes = read_entries(reader, "scene");
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         TableReader entry(*scenes[i], name_of_entry(*scenes[i], "scene", i), problems);
-        study.scenes.push_back(read_scene(entry, catalogue));
+        study.scenes.push_back(scene_reader.read(entry, read_id(entry, "id"), problems));
         const std::string& id = study.scenes.back().id;
         if (!id.empty() && !seen.contains(id)) scene_ids.push_back(id);
         refuse_second(entry, id, seen);
@@ -274,11 +223,14 @@ void read_root(const toml::table& root, const std::vector<BuiltinScene>& catalog
 
 }  // namespace
 
-StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& catalogue) {
+StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& catalogue,
+                        const std::filesystem::path& folder, SceneFiles files) {
     StudyReading reading;
+    reading.study.folder = folder;
+    SceneReader scene_reader(catalogue, folder, files);
     reading.study.sha256 = base::sha256_hex(text);
     try {
-        read_root(toml::parse(text), catalogue, reading.study, reading.problems);
+        read_root(toml::parse(text), scene_reader, reading.study, reading.problems);
     } catch (const toml::parse_error& error) {
         reading.problems.push_back({static_cast<int>(error.source().begin.line),
                                     fmt::format("not TOML: {}", error.description())});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -17,8 +18,11 @@ struct StudyReading {
     std::vector<StudyProblem> problems;
 };
 
-/// Reads the text of a study file against the scenes that there are. Throws nothing of its own.
+/// Reads the text of a study file against the scenes that there are. Paths in it are relative to
+/// `folder`; files of scenes are opened or not. Throws nothing of its own.
 [[nodiscard]] StudyReading read_study(std::string_view text,
-                                      const std::vector<BuiltinScene>& catalogue);
+                                      const std::vector<BuiltinScene>& catalogue,
+                                      const std::filesystem::path& folder = {},
+                                      SceneFiles files = SceneFiles::kOpened);
 
 }  // namespace obscura::stimuli

@@ -175,6 +175,45 @@ std::optional<double> TableReader::number(const std::string& key, Need need) {
     return **value->as_floating_point();
 }
 
+std::optional<double> TableReader::number(const std::string& key, Need need, double low,
+                                          double high) {
+    const std::optional<double> value = number(key, need);
+    if (value && !(*value >= low && *value <= high)) {
+        add(key, fmt::format("{} is out of range, allowed is {} to {}", *value, low, high));
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::vector<double> TableReader::numbers(const std::string& key, Need need, std::size_t count,
+                                         double low, double high) {
+    const std::string wanted =
+        fmt::format("an array of {} numbers from {} to {}", count, low, high);
+    const toml::array* list = array(key, need, wanted);
+    if (list == nullptr) return {};
+    std::vector<double> values;
+    for (const toml::node& node : *list) {
+        const std::optional<double> value = node.value<double>();
+        if (value && *value >= low && *value <= high) values.push_back(*value);
+    }
+    if (values.size() != list->size() || values.size() != count) {
+        add(key, fmt::format("allowed is {}", wanted));
+        return {};
+    }
+    return values;
+}
+
+std::optional<std::string> TableReader::choice(const std::string& key, Need need,
+                                               const std::vector<std::string>& names) {
+    std::optional<std::string> chosen = text(key, need);
+    if (chosen && std::find(names.begin(), names.end(), *chosen) == names.end()) {
+        add(key, fmt::format("{} is unknown, allowed are {}{}", in_quotes(*chosen), listed(names),
+                             did_you_mean(*chosen, names)));
+        return std::nullopt;
+    }
+    return chosen;
+}
+
 const toml::array* TableReader::array(const std::string& key, Need need, std::string_view wanted) {
     const toml::node* value = find(key, need);
     if (value == nullptr) return nullptr;

@@ -42,6 +42,14 @@ class TableReader {
     std::optional<std::int64_t> integer(const std::string& key, Need need, std::int64_t low,
                                         std::int64_t high);
     std::optional<double> number(const std::string& key, Need need);
+    /// A number within [low, high]; NaN is not.
+    std::optional<double> number(const std::string& key, Need need, double low, double high);
+    /// An array of `count` numbers within [low, high]; empty where it is missing or wrong.
+    std::vector<double> numbers(const std::string& key, Need need, std::size_t count, double low,
+                                double high);
+    /// A text out of a list of names.
+    std::optional<std::string> choice(const std::string& key, Need need,
+                                      const std::vector<std::string>& names);
     const toml::array* array(const std::string& key, Need need, std::string_view wanted);
     const toml::table* table(const std::string& key, Need need);
 
@@ -57,6 +65,9 @@ class TableReader {
     /// A required key whose misspelling was just reported is not reported again.
     void finish();
 
+    /// The table that is read.
+    [[nodiscard]] const toml::table& table() const { return table_; }
+
   private:
     const toml::node* find(const std::string& key, Need need);
     void wrong_type(const std::string& key, const toml::node& value, std::string_view wanted);
@@ -67,6 +78,14 @@ class TableReader {
     std::vector<std::string> allowed_;
     std::vector<std::string> missing_;
 };
+
+/// The names of a list of values, by their to_string.
+template <typename List>
+[[nodiscard]] std::vector<std::string> names_of(const List& list) {
+    std::vector<std::string> names;
+    for (const auto& value : list) names.emplace_back(to_string(value));
+    return names;
+}
 
 /// The line on which a value or a table begins, from 1; 0: not known.
 [[nodiscard]] int line_of(const toml::node& node);

@@ -67,10 +67,16 @@ class Generate : public testing::Test {
         study_.height = 54;
         study_.scenes = {{"low", "block", "forward", Validity::kLow},
                          {"high", "block", "forward", Validity::kHigh}};
-        Condition first{"I", "low", "H2", {}, {}};
+        Condition first;
+        first.id = "I";
+        first.scene = "low";
+        first.hypothesis = "H2";
         first.a = {"crytek", 24, {}, "separable"};
         first.b = {"blizzard", 24, {}, "separable"};
-        Condition second{"II", "high", "H1", {}, {}};
+        Condition second;
+        second.id = "II";
+        second.scene = "high";
+        second.hypothesis = "H1";
         second.b = {"raymarch", 30, {}, "separable"};
         study_.conditions = {first, second};
     }

@@ -13,12 +13,13 @@ namespace {
 
 base::ExitCode check(const std::string& file_or_name) {
     const stimuli::StudySource source = stimuli::study_source(file_or_name);
-    const auto problems = stimuli::problems_of_study(source.text);
+    const auto problems = stimuli::problems_of_study(source.text, source.folder);
     if (!problems.empty()) {
         fmt::print("{}\n", stimuli::to_lines(problems, source.name));
         return base::ExitCode::kBadInput;
     }
-    const stimuli::Study study = stimuli::parse_study(source.text, source.name);
+    const stimuli::Study study = stimuli::parse_study(source.text, source.name, source.folder,
+                                                      stimuli::SceneFiles::kTrusted);
     const std::size_t conditions = study.conditions.size();
     fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,
                conditions == 1 ? "" : "s", 2 * conditions);

@@ -58,7 +58,8 @@ void warn_of_other_versions(const stimuli::Study& study,
 /// A study given on the command line must be one that the sessions saw.
 stimuli::Study require_seen(const std::string& option, const stimuli::StudySource& source,
                             const Hashes& hashes) {
-    stimuli::Study study = stimuli::parse_study(source.text, source.name);
+    stimuli::Study study =
+        stimuli::parse_study(source.text, source.name, {}, stimuli::SceneFiles::kTrusted);
     const auto met = hashes.find(study.name);
     if (met == hashes.end()) {
         std::vector<std::string> names;
@@ -81,7 +82,10 @@ std::optional<stimuli::StudySource> find_builtin(const std::string& name,
                                                  const std::map<std::string, std::size_t>& hashes) {
     try {
         stimuli::StudySource source = stimuli::study_source(name);
-        if (hashes.contains(stimuli::parse_study(source.text, source.name).sha256)) return source;
+        if (hashes.contains(
+                stimuli::parse_study(source.text, source.name, {}, stimuli::SceneFiles::kTrusted)
+                    .sha256))
+            return source;
     } catch (const base::Error&) {  // no such study, or one that has changed since
     }
     return std::nullopt;
@@ -108,7 +112,8 @@ std::vector<analysis::ExportedStudy> studies_of(const Options& options, const Gl
             spdlog::warn("the file of study {} is not at hand: --study FILE adds it", name);
             exported.push_back(exported_study(name, images));
         } else {
-            const auto study = stimuli::parse_study(source->second.text, source->second.name);
+            const auto study = stimuli::parse_study(source->second.text, source->second.name, {},
+                                                    stimuli::SceneFiles::kTrusted);
             warn_of_other_versions(study, seen);
             exported.push_back(exported_study(source->second, study, images));
         }

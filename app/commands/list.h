@@ -19,6 +19,7 @@ Command measure_command();
 Command plan_command();
 Command power_command();
 Command render_command();
+Command scene_command();
 
 /// All commands, in the order of the help.
 [[nodiscard]] const std::vector<Command>& commands();

@@ -183,7 +183,7 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
 }
 
 base::ExitCode plan(const PlanOptions& options) {
-    const Study study = stimuli::load_study(options.study);
+    const Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
     const int n = static_cast<int>(study.conditions.size());
     const auto sessions = stimuli::session_orders(study.order, n, study.seed,
                                                   static_cast<std::uint64_t>(options.participants));

@@ -35,7 +35,7 @@ void refuse_missing_folder(const std::string& url) {
 
 base::ExitCode run(const Options& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
-    const stimuli::Study study = stimuli::load_study(options.study);
+    const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;

@@ -119,6 +119,7 @@ FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort, const std::vect
     const analysis::Minimum found = analysis::minimise(unknowns, error_of, effort.search);
 
     FittedChoice fitted;
+    fitted.source = view.scene->source;
     fitted.choice = with(found.values);
     analysis::Fitted& record = fitted.record;
     record.scene = view.scene->id;

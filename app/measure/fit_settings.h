@@ -14,6 +14,7 @@ namespace obscura::app {
 
 /// A technique with values that were fitted on one scene.
 struct FittedChoice {
+    std::string source;                ///< of the scene, as the study names it
     renderer::TechniqueChoice choice;  ///< samples and filter it was fitted with
     analysis::Fitted record;
 };

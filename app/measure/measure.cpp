@@ -23,8 +23,9 @@ using renderer::TechniqueChoice;
 
 /// The views in an order that has those of one scene together.
 std::vector<View> by_scene(std::vector<View> views) {
-    std::stable_sort(views.begin(), views.end(),
-                     [](const View& a, const View& b) { return a.scene < b.scene; });
+    std::stable_sort(views.begin(), views.end(), [](const View& a, const View& b) {
+        return a.scene->source < b.scene->source;
+    });
     return views;
 }
 
@@ -38,10 +39,10 @@ std::vector<FittedChoice> fit_all(Stage& stage, const MeasureRequest& request,
                                   const stimuli::Study& study, const std::vector<View>& views) {
     const FitEffort effort = fit_effort(request);
     std::vector<std::pair<const View*, TechniqueChoice>> wanted;
-    const stimuli::BuiltinScene* last = nullptr;
+    const stimuli::SceneSource* last = nullptr;
     for (const View& view : views) {
-        if (view.scene == last) continue;
-        last = view.scene;
+        if (view.scene.get() == last) continue;
+        last = view.scene.get();
         for (const std::string& name : measured_techniques(request)) {
             if (!can_be_fitted(name)) continue;
             wanted.emplace_back(&view, published_choice(view, study, name));
@@ -70,7 +71,7 @@ std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::
     }
     const std::size_t published = settings.size();
     for (const FittedChoice& fit : fitted) {
-        if (fit.record.scene != view.scene->id) continue;
+        if (fit.source != view.scene->source) continue;
         for (std::size_t i = 0; i < published; ++i) {
             const TechniqueChoice& choice = settings[i].choice;
             if (choice.technique != fit.choice.technique || choice.denoise != fit.choice.denoise ||
@@ -119,7 +120,7 @@ std::string study_with(const std::string& name, const stimuli::Study& study,
         for (const char side : {'a', 'b'}) {
             const TechniqueChoice& shown = side == 'a' ? condition.a : condition.b;
             for (const FittedChoice& fit : fitted) {
-                if (fit.record.scene != source || fit.choice.technique != shown.technique) continue;
+                if (fit.source != source || fit.choice.technique != shown.technique) continue;
                 TechniqueChoice changed = shown;
                 for (const auto& [key, value] : fit.record.after) changed.parameters[key] = value;
                 changes.push_back({condition.id, side, changed});

@@ -12,6 +12,7 @@ namespace obscura::app {
 void Stage::load(const View& view) {
     if (loaded_ == view.scene) return;
     loaded_ = nullptr;
+    lightings_.clear();
     truths_.clear();
     rays_.reset();
     gpu_.reset();
@@ -34,11 +35,10 @@ const renderer::Camera& Stage::camera_of(const View& view) const {
 }
 
 const renderer::Lighting& Stage::lighting_of(const View& view) {
-    const auto key = std::pair(view.scene->id, view.validity);
-    if (!lightings_.contains(key)) {
-        lightings_.emplace(key, view.scene->lighting(view.validity));
+    if (!lightings_.contains(view.validity)) {
+        lightings_.emplace(view.validity, view.scene->lighting(view.validity));
     }
-    return lightings_.at(key);
+    return lightings_.at(view.validity);
 }
 
 renderer::Frame Stage::render(const View& view, const renderer::TechniqueChoice& choice, int width,

@@ -44,12 +44,12 @@ class Stage {
     const renderer::Lighting& lighting_of(const View& view);
 
     const MeasureRequest& request_;
-    const stimuli::BuiltinScene* loaded_ = nullptr;
+    std::shared_ptr<const stimuli::SceneSource> loaded_;
     renderer::Scene scene_;
     std::unique_ptr<renderer::GpuScene> gpu_;
     std::unique_ptr<renderer::ReferenceScene> rays_;
-    std::map<std::pair<std::string, stimuli::Validity>, renderer::Lighting> lightings_;
-    std::map<std::string, renderer::ReferenceImage> truths_;  ///< of the loaded scene
+    std::map<stimuli::Validity, renderer::Lighting> lightings_;  ///< of the loaded scene
+    std::map<std::string, renderer::ReferenceImage> truths_;     ///< of the loaded scene
     renderer::Renderer renderer_;
 };
 

@@ -5,11 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "renderer/base/check.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
+#include "stimuli/scenes/open_scene.h"
 #include "stimuli/variant_reader.h"
 
 namespace obscura::app {
@@ -59,21 +62,60 @@ double radius_on(const stimuli::Study& study, const std::string& source) {
     return 0.5;
 }
 
-View make_view(const stimuli::BuiltinScene& scene, const std::string& camera,
-               stimuli::Validity validity, const stimuli::Study& study) {
-    return {&scene, camera, validity, radius_on(study, scene.id),
-            shown_on(study, scene.id, camera, &validity)};
+using Source = std::shared_ptr<const stimuli::SceneSource>;
+
+View make_view(Source scene, const std::string& camera, stimuli::Validity validity,
+               const stimuli::Study& study) {
+    const double radius_m = radius_on(study, scene->source);
+    std::vector<ShownSetting> shown = shown_on(study, scene->source, camera, &validity);
+    return {std::move(scene), camera, validity, radius_m, std::move(shown)};
 }
 
-const stimuli::BuiltinScene& find_scene(const std::vector<stimuli::BuiltinScene>& catalogue,
-                                        const std::string& id, const char* option) {
+/// A built-in scene as it is, built when it is first looked at; nothing for another source.
+Source find_builtin(const std::vector<stimuli::BuiltinScene>& catalogue,
+                    const std::string& source) {
     for (const stimuli::BuiltinScene& scene : catalogue) {
-        if (scene.id == id) return scene;
+        if (scene.id != source) continue;
+        return std::make_shared<const stimuli::SceneSource>(stimuli::SceneSource{
+            scene.id, scene.id, scene.cameras, scene.levels, scene.build, scene.lighting});
+    }
+    return nullptr;
+}
+
+/// What `--scene` names.
+Source named_scene(const std::vector<stimuli::BuiltinScene>& catalogue, const std::string& source) {
+    if (Source builtin = find_builtin(catalogue, source)) return builtin;
+    if (stimuli::is_file_source(source)) {
+        return std::make_shared<const stimuli::SceneSource>(
+            stimuli::source_of(stimuli::open_scene(source, {}, {}, catalogue), source));
     }
     std::vector<std::string> ids;
     for (const stimuli::BuiltinScene& scene : catalogue) ids.push_back(scene.id);
-    throw base::bad_input("{}: there is no scene \"{}\", allowed are {}", option, id,
-                          fmt::join(ids, ", "));
+    throw base::bad_input("--scene: there is no scene \"{}\", allowed are {} and glTF or OBJ files",
+                          source, fmt::join(ids, ", "));
+}
+
+/// A scene as the study uses it, with what it says of camera and light.
+Source scene_of_study(const std::vector<stimuli::BuiltinScene>& catalogue,
+                      const stimuli::Study& study, const stimuli::StudyScene& scene) {
+    const bool plain =
+        stimuli::to_json(scene.settings) == stimuli::to_json(stimuli::SceneSettings{});
+    if (plain) {
+        if (Source builtin = find_builtin(catalogue, scene.source)) return builtin;
+    }
+    stimuli::SceneSource source = stimuli::source_of(
+        stimuli::open_scene(scene.source, scene.settings, study.folder, catalogue), scene.source);
+    if (scene.settings.camera) {
+        renderer::Camera own = *scene.settings.camera;
+        own.name = stimuli::kStudyCamera;
+        source.cameras.push_back(own.name);
+        source.build = [build = source.build, own] {
+            renderer::Scene built = build();
+            built.cameras.push_back(own);
+            return built;
+        };
+    }
+    return std::make_shared<const stimuli::SceneSource>(std::move(source));
 }
 
 bool allows(const Technique& technique, int samples) {
@@ -119,19 +161,25 @@ std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& 
                            const std::vector<stimuli::BuiltinScene>& catalogue) {
     std::vector<View> views;
     if (request.scenes.empty()) {
+        std::map<std::string, Source> sources;
         std::set<std::string> seen;
         for (const stimuli::StudyScene& scene : study.scenes) {
-            const std::string key = fmt::format("{} {} {}", scene.source, scene.camera,
-                                                stimuli::to_string(scene.validity));
-            if (!seen.insert(key).second) continue;
-            views.push_back(make_view(find_scene(catalogue, scene.source, study.name.c_str()),
-                                      scene.camera, scene.validity, study));
+            const std::string key = scene.source + ' ' + stimuli::to_json(scene.settings);
+            if (!seen.insert(fmt::format("{} {} {}", key, scene.camera,
+                                         stimuli::to_string(scene.validity)))
+                     .second) {
+                continue;
+            }
+            if (!sources.contains(key)) {
+                sources.emplace(key, scene_of_study(catalogue, study, scene));
+            }
+            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study));
         }
     }
     for (const std::string& id : request.scenes) {
-        const stimuli::BuiltinScene& scene = find_scene(catalogue, id, "--scene");
-        for (const std::string& camera : scene.cameras) {
-            views.push_back(make_view(scene, camera, scene.levels.front(), study));
+        const Source scene = named_scene(catalogue, id);
+        for (const std::string& camera : scene->cameras) {
+            views.push_back(make_view(scene, camera, scene->levels.front(), study));
         }
     }
     return views;
@@ -144,7 +192,7 @@ TechniqueChoice published_choice(const View& view, const stimuli::Study& study,
     choice.technique = technique;
     choice.samples = descriptor.samples.standard;
     choice.denoise = descriptor.samples.high > 0 ? kPlottedFilter : "none";
-    const std::vector<ShownSetting> here = shown_on(study, view.scene->id, "", nullptr);
+    const std::vector<ShownSetting> here = shown_on(study, view.scene->source, "", nullptr);
     for (const auto* list : {&view.shown, &here}) {
         for (const ShownSetting& setting : *list) {
             if (setting.choice.technique == technique) return setting.choice;

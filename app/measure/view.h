@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/measure/request.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/scenes/scene_source.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
@@ -20,7 +22,7 @@ struct ShownSetting {
 
 /// One view of one scene that is measured.
 struct View {
-    const stimuli::BuiltinScene* scene = nullptr;
+    std::shared_ptr<const stimuli::SceneSource> scene;  ///< views of one scene share it
     std::string camera;
     stimuli::Validity validity = stimuli::Validity::kLow;
     double radius_m = 0.5;  ///< R of the truth for techniques that have no radius of their own

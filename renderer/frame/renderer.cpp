@@ -69,8 +69,11 @@ const Renderer::EnvironmentData& Renderer::environment(
         const GLuint name = data.texture.name();
         glTextureStorage2D(name, 1, GL_RGB16F, source->width, source->height);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        // What is seen of a sun is limited to what half floats hold; its irradiance is not.
+        std::vector<glm::vec3> seen = source->radiance;
+        for (glm::vec3& value : seen) value = glm::min(value, glm::vec3(6e4F));
         glTextureSubImage2D(name, 0, 0, 0, source->width, source->height, GL_RGB, GL_FLOAT,
-                            source->radiance.data());
+                            seen.data());
         glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "renderer/base/error.h"
@@ -47,7 +48,16 @@ glm::vec3 Environment::look_up(const glm::vec3& direction) const {
 
 Environment load_environment(const std::filesystem::path& file) {
     OIIO::ImageBuf image(file.string());
-    if (!image.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
+    // The header first: it may promise more than there is memory for.
+    constexpr std::int64_t kMostTexels = std::int64_t{8192} * 4096;
+    const bool has_header = image.init_spec(file.string(), 0, 0);
+    const std::int64_t texels =
+        has_header ? std::int64_t{image.spec().width} * std::int64_t{image.spec().height} : 0;
+    if (texels > kMostTexels) {
+        throw base::bad_input("the environment {} is {}x{} texels; allowed are {}, as of 8192x4096",
+                              file.string(), image.spec().width, image.spec().height, kMostTexels);
+    }
+    if (!has_header || !image.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
         throw base::bad_input("the environment {} cannot be read: {}", file.string(),
                               image.geterror());
     }
@@ -66,11 +76,11 @@ Environment load_environment(const std::filesystem::path& file) {
     image.get_pixels(roi, OIIO::TypeDesc::FLOAT, environment.radiance.data());
     for (glm::vec3& value : environment.radiance) {
         for (int i = 0; i < 3; ++i) {
-            if (!(value[i] >= 0.0F && value[i] < 6e4F)) {
+            constexpr float kBrightest = 1e7F;  // the sun outside of a measured sky
+            if (!(value[i] >= 0.0F && value[i] <= kBrightest)) {
                 throw base::bad_input(
-                    "the environment {} holds the radiance {}; allowed is 0 to "
-                    "60000",
-                    file.string(), value[i]);
+                    "the environment {} holds the radiance {}; allowed is 0 to {}", file.string(),
+                    value[i], kBrightest);
             }
         }
     }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "stimuli/scenes/scene_source.h"
 
+#include <memory>
+#include <utility>
+
 #include "renderer/base/error.h"
-#include "stimuli/scenes/builtin_scene.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -35,13 +37,22 @@ Validity SceneSource::level_for(const std::string& name) const {
     throw base::bad_input("--validity: scene {} has no level \"{}\"; it has {}", id, name, known);
 }
 
-SceneSource find_scene_source(const std::string& source) {
-    if (const BuiltinScene* builtin = find_builtin_scene(source)) {
-        return {builtin->id, builtin->cameras, builtin->levels, builtin->build, builtin->lighting};
+SceneSource source_of(OpenedScene scene, const std::string& source) {
+    const auto opened = std::make_shared<const OpenedScene>(std::move(scene));
+    SceneSource found;
+    found.id = opened->id;
+    found.source = source;
+    for (const renderer::Camera& camera : opened->scene->cameras) {
+        found.cameras.push_back(camera.name);
     }
-    std::string known;
-    for (const BuiltinScene& scene : builtin_scenes()) append(known, scene.id);
-    throw base::bad_input("--scene: there is no scene \"{}\"; built in are {}", source, known);
+    found.levels = opened->levels;
+    found.build = [opened] { return *opened->scene; };
+    found.lighting = opened->lighting;
+    return found;
+}
+
+SceneSource find_scene_source(const std::string& source) {
+    return source_of(open_scene(source), source);
 }
 
 }  // namespace obscura::stimuli

@@ -8,13 +8,15 @@
 
 #include "renderer/light/lighting.h"
 #include "renderer/scene/scene.h"
+#include "stimuli/scenes/open_scene.h"
 #include "stimuli/validity.h"
 
 namespace obscura::stimuli {
 
 /// A scene with its light, wherever it comes from, before it is built.
 struct SceneSource {
-    std::string id;
+    std::string id;                    ///< built-in scene's, or the file's name without ending
+    std::string source;                ///< as study file and command line name it
     std::vector<std::string> cameras;  ///< at least one, as build() names them
     std::vector<Validity> levels;      ///< at least one
     std::function<renderer::Scene()> build;
@@ -26,8 +28,11 @@ struct SceneSource {
     [[nodiscard]] Validity level_for(const std::string& name) const;
 };
 
-/// What a command line calls by `--scene`: the id of a built-in scene. Throws bad input naming the
-/// built-in scenes when there is no such scene.
+/// A scene that is opened already.
+[[nodiscard]] SceneSource source_of(OpenedScene opened, const std::string& source);
+
+/// What a command line calls by `--scene`: the id of a built-in scene, or a glTF or OBJ file.
+/// Throws bad input as open_scene does.
 [[nodiscard]] SceneSource find_scene_source(const std::string& source);
 
 }  // namespace obscura::stimuli

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "app/commands/list.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "renderer/export/gltf_export.h"
+#include "stimuli/scenes/inspect.h"
+#include "stimuli/scenes/open_scene.h"
+
+namespace obscura::app {
+namespace {
+
+struct SceneOptions {
+    std::string scene;
+    std::string out;
+    std::string technique = "blizzard";
+    std::string size = "1280x720";
+    double scale = 1.0;
+};
+
+/// "WxH" as two whole numbers.
+std::pair<int, int> parse_size(const std::string& text) {
+    std::pair<int, int> size;
+    const char* const end = text.data() + text.size();
+    const auto [cross, first] = std::from_chars(text.data(), end, size.first);
+    if (first == std::errc() && cross != end && *cross == 'x') {
+        const auto [rest, second] = std::from_chars(cross + 1, end, size.second);
+        if (second == std::errc() && rest == end) return size;
+    }
+    throw base::bad_input("--size: \"{}\" is not WxH in pixels, such as 1280x720", text);
+}
+
+stimuli::OpenedScene open(const SceneOptions& options) {
+    stimuli::SceneSettings settings;
+    settings.scale = options.scale;
+    return stimuli::open_scene(options.scene, settings);
+}
+
+base::ExitCode list_scenes() {
+    for (const stimuli::BuiltinScene& scene : stimuli::builtin_scenes()) {
+        fmt::print("{}", stimuli::summary_of(stimuli::open_scene(scene.id)));
+    }
+    return base::ExitCode::kDone;
+}
+
+base::ExitCode inspect(const SceneOptions& options) {
+    const renderer::Technique* technique = renderer::find_technique(options.technique);
+    if (technique == nullptr) {
+        std::string known;
+        for (const renderer::Technique& one : renderer::techniques()) {
+            known += (known.empty() ? "" : ", ") + one.name;
+        }
+        throw base::bad_input("--technique: there is no technique \"{}\"; there are {}",
+                              options.technique, known);
+    }
+    renderer::TechniqueChoice choice{options.technique, technique->samples.standard, {}, "none"};
+    if (!technique->shader.empty()) choice.denoise = "separable";
+    const auto [width, height] = parse_size(options.size);
+    fmt::print("{}", stimuli::inspection_of(open(options), choice, width, height));
+    return base::ExitCode::kDone;
+}
+
+base::ExitCode export_scene(const SceneOptions& options) {
+    if (!options.out.ends_with(".glb")) {
+        throw base::bad_input("--out: \"{}\" does not end in .glb, which is what is written",
+                              options.out);
+    }
+    const stimuli::OpenedScene scene = open(options);
+    // The lights of the richest level; glTF holds no environment.
+    const renderer::Lighting lighting = scene.lighting(scene.levels.back());
+    const std::string bytes = renderer::to_glb(*scene.scene, lighting);
+    base::write_file_atomically(options.out, bytes);
+    spdlog::info("{}: {} bytes, {} triangles, {} cameras, {} lights", options.out, bytes.size(),
+                 scene.scene->triangle_count(), scene.scene->cameras.size(),
+                 lighting.lights.size() + lighting.point_lights.size());
+    if (lighting.environment) {
+        spdlog::info("left out, since glTF has no place for it: the environment ({})",
+                     lighting.environment->name);
+    }
+    return base::ExitCode::kDone;
+}
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+    app.add_option("SCENE", options.scene,
+                   "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
+        ->required();
+    app.add_option("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
+        ->capture_default_str();
+}
+
+std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
+    const auto options = std::make_shared<SceneOptions>();
+    const auto chosen = std::make_shared<std::function<base::ExitCode()>>();
+    app.require_subcommand(1);
+    app.add_subcommand("list", "The built-in scenes: triangles, cameras, levels, what each needs")
+        ->callback([chosen] { *chosen = list_scenes; });
+
+    CLI::App* inspector = app.add_subcommand(
+        "inspect", "What a scene holds, what of it is not shown, and what each level allocates");
+    add_scene_options(*inspector, *options);
+    inspector->add_option("--technique", options->technique, "Technique of the planned image")
+        ->capture_default_str();
+    inspector->add_option("--size", options->size, "Of the planned image, WxH in pixels")
+        ->capture_default_str();
+    inspector->callback([chosen, options] { *chosen = [options] { return inspect(*options); }; });
+
+    CLI::App* exporter = app.add_subcommand(
+        "export", "Write a scene with its cameras and lights as binary glTF 2.0");
+    add_scene_options(*exporter, *options);
+    exporter->add_option("--out", options->out, "File to write, ends in .glb")->required();
+    exporter->callback(
+        [chosen, options] { *chosen = [options] { return export_scene(*options); }; });
+    return [chosen] { return (*chosen)(); };
+}
+
+}  // namespace
+
+Command scene_command() {
+    return {"scene", "List, inspect and export scenes, built in or from files", attach};
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+namespace obscura::renderer::import_detail {
+
+/// Gives every triangle corners of its own with the triangle's normal (glTF 2.0, 3.7.2.1: flat
+/// normals where none are given).
+void make_flat_normals(Mesh& mesh);
+
+/// Replaces normals that are no direction by the mean of the triangles around, weighted by area;
+/// others become unit length where they are not within 0.001. Returns how many were replaced.
+std::size_t mend_normals(Mesh& mesh);
+
+/// Tangents from uv, averaged over the triangles at a vertex, perpendicular to its normal. The
+/// handedness points the bitangent to -v, up in the image, as the normal maps of glTF 2.0 (3.9.3)
+/// are made. Vertices of triangles that are mapped both ways round are split.
+void make_tangents(Mesh& mesh);
+
+}  // namespace obscura::renderer::import_detail

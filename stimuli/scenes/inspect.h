@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "renderer/technique/technique.h"
+#include "stimuli/scenes/open_scene.h"
+
+namespace obscura::stimuli {
+
+/// One paragraph for a scene: what it is, triangles, cameras, levels and what its surfaces ask of
+/// the renderer.
+[[nodiscard]] std::string summary_of(const OpenedScene& scene);
+
+/// All of a scene: triangles, bounds, materials, textures with bytes, cameras, lights, what is not
+/// shown or otherwise, and for each level the passes and buffers of an image of width x height
+/// with that technique, and what is left out, why. Throws bad input for a choice or a size that is
+/// not allowed.
+[[nodiscard]] std::string inspection_of(const OpenedScene& scene,
+                                        const renderer::TechniqueChoice& choice, int width,
+                                        int height);
+
+}  // namespace obscura::stimuli
