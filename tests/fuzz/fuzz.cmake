@@ -1,6 +1,6 @@
-# obscura_fuzz(NAME source... LIBRARIES library...): a libFuzzer program of those sources, named from
+# obscura_fuzz(NAME source... LIBRARIES library... SECONDS number): a libFuzzer program of those sources, named from
 # the top of the project, under the address and undefined-behaviour sanitizers. Its test, labelled
-# unit, begins with the files in tests/fuzz/corpus/NAME and goes on for a minute; what makes it fail
+# unit, begins with the files in tests/fuzz/corpus/NAME and goes on for that time; what makes it fail
 # lies in the build folder as crash-*. Clang compiles it, since GCC has no fuzzer, and the sources
 # again with it; everything else, also what they need of LIBRARIES (targets of the project that are
 # archives, or the linker's words), stays with the project's compiler.
@@ -11,7 +11,7 @@ function(obscura_fuzz name)
     if(OBSCURA_SANITIZE)
         return()
     endif()
-    cmake_parse_arguments(PARSE_ARGV 1 fuzz "" "" "LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 fuzz "" "SECONDS" "LIBRARIES")
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name}.fuzz)
     file(MAKE_DIRECTORY ${folder}/found)
     set(flags -std=c++20 -O1 -g -DSPDLOG_FMT_EXTERNAL
@@ -48,7 +48,7 @@ function(obscura_fuzz name)
         VERBATIM)
     add_custom_target(${name} ALL DEPENDS ${folder}/${name})
     add_test(NAME ${name}
-        COMMAND ${folder}/${name} -max_total_time=60 -timeout=10 -rss_limit_mb=2048
+        COMMAND ${folder}/${name} -max_total_time=${fuzz_SECONDS} -timeout=10 -rss_limit_mb=2048
             -artifact_prefix=${folder}/ ${folder}/found
             ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${name})
     set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 300)
