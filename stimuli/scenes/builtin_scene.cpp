@@ -11,6 +11,7 @@ const std::vector<BuiltinScene>& builtin_scenes() {
         make_figures(),
         make_atrium(),
         make_relic(),
+        make_machine(),
     };
     return list;
 }

@@ -9,6 +9,7 @@ namespace obscura::stimuli {
 // One line a scene; each is defined in the file or folder of its name.
 BuiltinScene make_atrium();
 BuiltinScene make_figures();
+BuiltinScene make_machine();
 BuiltinScene make_relic();
 
 }  // namespace obscura::stimuli
