@@ -12,6 +12,8 @@ const std::vector<BuiltinScene>& builtin_scenes() {
         make_atrium(),
         make_relic(),
         make_machine(),
+        make_room(),
+        make_garden(),
     };
     return list;
 }

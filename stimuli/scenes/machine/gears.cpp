@@ -118,7 +118,7 @@ void put_pinion(Assembly& hall) {
     const glm::mat4 place = moved(kCrankX + apart, kAxis, kGearZ);
     // A gap of the pinion faces the wheel's tooth on the line between the centres.
     const float first = glm::pi<float>() + glm::pi<float>() / static_cast<float>(kPinionTeeth);
-    hall.put(Surface::kSteel, toothed_ring(kPinionTeeth, first, 0.05F), place, 411U);
+    hall.put(Surface::kSteel, toothed_ring(kPinionTeeth, first, 0.05F), place, 411U, vec3(0.55F));
     const std::array<vec2, 4> sleeve{
         {{0.0F, -0.06F}, {0.07F, -0.06F}, {0.07F, 0.06F}, {0.0F, 0.06F}}};
     hall.put(Surface::kSteel, revolve(sleeve, 28), place * lie_along_z(), 412U);

@@ -157,12 +157,16 @@ void put_terminals(Assembly& hall) {
         hall.put(Surface::kBrass, revolve(nut, 6, 0.3F), gland, 543U);
         const vec3 from = vec3(place[3]) + vec3(0.13F, -0.01F, z);
         const float off = 0.035F * static_cast<float>(i);
-        const std::array<vec3, 6> run{
-            {from - vec3(0.03F, 0.0F, 0.0F), from + vec3(0.10F + off, 0.0F, 0.0F),
-             vec3(from.x + 0.13F + off, 0.30F, from.z),
-             vec3(from.x + 0.14F + off, 0.016F, from.z - 0.1F),
-             vec3(from.x + 0.17F + off, 0.016F, -1.2F), vec3(2.02F + off, 0.016F, -1.8F)}};
-        hall.put(Surface::kRubber, pipe(run, 0.16F, 0.0135F, 12), glm::mat4(1.0F), 544U);
+        const float on_block = kFoundationTop + 0.016F;
+        const std::array<vec3, 8> run{{from - vec3(0.03F, 0.0F, 0.0F),
+                                       from + vec3(0.14F + off, 0.0F, 0.0F),
+                                       {from.x + 0.15F + off, 0.45F, from.z},
+                                       {from.x + 0.16F + off, on_block, from.z - 0.05F},
+                                       {1.80F + off, on_block, from.z - 0.22F},
+                                       {1.82F + off, 0.015F, from.z - 0.26F},
+                                       {1.95F + off, 0.015F, -1.0F},
+                                       {2.05F + off, 0.015F, kWallZ + 0.2F}}};
+        hall.put(Surface::kRubber, pipe(run, 0.13F, 0.0135F, 12), glm::mat4(1.0F), 544U);
     }
     hall.put(Surface::kBrass, bevelled_box({0.004F, 0.05F, 0.10F}, 0.001F),
              place * moved(0.092F, 0.0F, 0.0F) * moved(0.0F, 0.03F, 0.0F), 545U);

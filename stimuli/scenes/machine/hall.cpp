@@ -147,8 +147,10 @@ void put_wall(Assembly& hall, const vec3& from, const vec3& edge, std::uint32_t 
     Mesh tiles = rectangle(from, edge, {0.0F, kTiles, 0.0F}, 0.6F);
     project_box_uv(tiles);
     hall.put(Surface::kTile, tiles, glm::mat4(1.0F), seed);
-    Mesh bricks = rectangle(from + vec3(0.0F, kTiles, 0.0F) - out * 0.03F, edge,
-                            {0.0F, kTop - kTiles, 0.0F}, 0.6F);
+    // The bricks lie a little behind the tiles and run on behind the corners.
+    const vec3 more = 0.05F * glm::normalize(edge);
+    Mesh bricks = rectangle(from + vec3(0.0F, kTiles, 0.0F) - out * 0.03F - more,
+                            edge + 2.0F * more, {0.0F, kTop - kTiles, 0.0F}, 0.6F);
     project_box_uv(bricks);
     hall.put(Surface::kBrick, bricks, glm::mat4(1.0F), seed);
     const float length = glm::length(edge);

@@ -28,7 +28,7 @@ Texel enamel(vec2 uv) {
     const float fine = noise(uv * 11.0F + 0.3F);
     const float runs = noise(uv * vec2(13.0F, 2.0F) + 0.77F);
     const float grime = glm::smoothstep(-0.15F, 0.5F, broad + 0.35F * runs);
-    const float chip = glm::smoothstep(0.40F, 0.46F, noise(uv * 5.0F + 0.11F) + 0.28F * fine);
+    const float chip = glm::smoothstep(0.46F, 0.52F, noise(uv * 5.0F + 0.11F) + 0.28F * fine);
     Texel texel;
     texel.albedo = vec3(0.95F + 0.08F * fine) * (1.0F - 0.38F * grime);
     texel.albedo = glm::mix(texel.albedo, vec3(0.55F, 0.36F, 0.26F), chip);
@@ -52,9 +52,9 @@ Texel steel(vec2 uv) {
     const float turned = noise(uv * vec2(1.0F, 31.0F));
     const float fine = noise(uv * vec2(2.0F, 61.0F) + 0.5F);
     const float oil = glm::smoothstep(0.0F, 0.45F, noise(uv * 2.0F + 0.7F));
-    const float spot = glm::smoothstep(0.36F, 0.5F, noise(uv * 6.0F + 0.2F));
+    const float spot = glm::smoothstep(0.42F, 0.6F, noise(uv * 6.0F + 0.2F));
     Texel texel;
-    texel.albedo = colour<0xa6a8aa>() * (1.0F + 0.16F * turned + 0.12F * fine);
+    texel.albedo = colour<0x8f9193>() * (1.0F + 0.16F * turned + 0.12F * fine);
     texel.albedo = glm::mix(texel.albedo, colour<0x5e5044>(), 0.55F * oil);
     texel.albedo = glm::mix(texel.albedo, colour<0x7a4e34>(), 0.7F * spot);
     texel.height_m = 0.00006F * turned + 0.00005F * fine;
@@ -92,7 +92,7 @@ Texel concrete(vec2 uv) {
     const float broad = noise(uv);
     const float medium = noise(uv * 4.0F + 0.3F);
     const float fine = noise(uv * 29.0F);
-    const float stain = glm::smoothstep(0.16F, 0.36F, noise(uv * 3.0F + 0.63F) + 0.2F * medium);
+    const float stain = glm::smoothstep(0.05F, 0.65F, noise(uv * 3.0F + 0.63F) + 0.2F * medium);
     const Cell crack = cellular(uv * 5.0F + 0.12F * medium, 71, {5, 5});
     const float line = (1.0F - glm::smoothstep(0.0F, 0.006F, crack.second - crack.nearest)) *
                        glm::smoothstep(0.0F, 0.3F, broad);
@@ -118,11 +118,11 @@ Texel brick(vec2 uv) {
         std::min(std::min(in.x, 1.0F - in.x) * 0.256F, std::min(in.y, 1.0F - in.y) * 0.08F) +
         0.0025F * rough;
     const float inside = glm::smoothstep(0.004F, 0.009F, edge_m);
-    const float flaked = glm::smoothstep(0.22F, 0.27F, noise(uv * 3.0F + 0.9F) + 0.25F * rough);
+    const float flaked = glm::smoothstep(0.36F, 0.41F, noise(uv * 3.0F + 0.9F) + 0.25F * rough);
     const float soot = noise(uv * 2.0F + 0.33F);
     const float own = hash_unit(column, row, 0, 12);
     vec3 clay = glm::mix(colour<0x8a4f3b>(), colour<0xa8705a>(), own);
-    vec3 paint = colour<0xc9c0a6>() * (0.93F + 0.07F * own + 0.10F * soot);
+    vec3 paint = colour<0xc9c0a6>() * (0.90F + 0.07F * own + 0.16F * soot);
     Texel texel;
     texel.albedo = glm::mix(paint, glm::mix(colour<0x8f877a>(), clay, inside), flaked);
     texel.albedo *= (0.72F + 0.28F * inside) * (1.0F + 0.08F * rough);

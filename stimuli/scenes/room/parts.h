@@ -26,21 +26,21 @@ inline constexpr float kWindowFront = 0.28F;
 
 enum class Surface {
     kWall,
-    kFloor,     ///< oak boards, along u
-    kWood,      ///< furniture; grain along v
-    kLacquer,   ///< white painted wood and metal
-    kPaper,     ///< edges of pages, blank sheets
-    kPrint,     ///< a printed page, mapped once
-    kBinding,   ///< book cloth, near white; coloured by the tint
+    kFloor,    ///< oak boards, along u
+    kWood,     ///< furniture; grain along v
+    kLacquer,  ///< white painted wood and metal
+    kPaper,    ///< edges of pages, blank sheets
+    kPrint,    ///< a printed page, mapped once
+    kBinding,  ///< book cloth, near white; coloured by the tint
     kCurtain,
     kUpholstery,
-    kRug,       ///< mapped once
+    kRug,  ///< mapped once
     kMetal,
-    kPlastic,   ///< near white; coloured by the tint
+    kPlastic,  ///< near white; coloured by the tint
     kCeramic,
-    kLeaf,      ///< one leaf, cut out, mapped once
+    kLeaf,  ///< one leaf, cut out, mapped once
     kSoil,
-    kPicture,   ///< two framed pictures side by side
+    kPicture,  ///< two framed pictures side by side
     kBulb,
 };
 [[nodiscard]] std::span<const Finish> finishes();

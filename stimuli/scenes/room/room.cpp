@@ -23,7 +23,7 @@ renderer::Scene build() {
     renderer::Scene scene = study.take();
     scene.cameras = {
         camera_at("desk", {1.05F, 1.56F, 1.75F}, {-0.72F, 0.86F, -1.35F}, 50.0F, 20.0F),
-        camera_at("shelves", {-0.75F, 1.50F, 1.35F}, {1.15F, 1.0F, -1.75F}, 50.0F, 20.0F),
+        camera_at("shelves", {-0.95F, 1.50F, 0.95F}, {0.85F, 1.0F, -1.85F}, 50.0F, 20.0F),
         camera_at("tabletop", {0.22F, 1.34F, -0.55F}, {-0.98F, 0.80F, -1.66F}, 44.0F, 20.0F)};
     return scene;
 }
@@ -43,12 +43,12 @@ vec3 outdoors(const vec3& way) {
 /// What the middle of the room sees: the window, pale walls and ceiling, a floor of oak.
 vec3 room_radiance(const vec3& way) {
     const vec3 wall(0.78F, 0.74F, 0.67F);
-    const vec3 floor(0.44F, 0.36F, 0.28F);
+    const vec3 floor(0.52F, 0.46F, 0.40F);
     const vec3 ceiling(0.92F, 0.90F, 0.86F);
     vec3 inside = glm::mix(floor, wall, glm::smoothstep(-0.6F, 0.0F, way.y));
     inside = glm::mix(inside, ceiling, glm::smoothstep(0.3F, 0.8F, way.y));
-    const float window = glm::smoothstep(0.25F, 0.55F, -way.x) *
-                         glm::smoothstep(0.85F, 0.6F, std::abs(way.y));
+    const float window =
+        glm::smoothstep(0.25F, 0.55F, -way.x) * glm::smoothstep(0.85F, 0.6F, std::abs(way.y));
     return glm::mix(inside, outdoors(way), window);
 }
 
@@ -67,11 +67,11 @@ renderer::Lighting lighting(Validity validity) {
     renderer::Lighting light;
     light.environment = std::move(surroundings);
     if (validity == Validity::kHigh) {
-        light.lights = {{glm::normalize(vec3(-0.80F, 0.60F, 0.20F)),
-                         vec3(1.0F, 0.90F, 0.74F) * 7.5F}};
+        light.lights = {
+            {glm::normalize(vec3(-0.80F, 0.60F, 0.20F)), vec3(1.0F, 0.90F, 0.74F) * 7.5F}};
         renderer::PointLight lamp;
         lamp.position_m = room::lamp_bulb_m() + 0.02F * room::lamp_axis();
-        lamp.intensity = vec3(1.0F, 0.74F, 0.44F) * 0.85F;
+        lamp.intensity = vec3(1.0F, 0.74F, 0.44F) * 2.6F;
         lamp.direction = room::lamp_axis();
         lamp.inner_cone_rad = 0.65F;
         lamp.outer_cone_rad = 1.15F;

@@ -156,8 +156,8 @@ Texel rug(vec2 uv) {
     const vec2 knots(520.0F, 340.0F);
     const vec2 cell = glm::floor(uv * knots) / knots;
     const vec2 in = glm::fract(uv * knots);
-    const float edge = std::min(std::min(cell.x, 1.0F - cell.x) * 1.53F,
-                                std::min(cell.y, 1.0F - cell.y));
+    const float edge =
+        std::min(std::min(cell.x, 1.0F - cell.x) * 1.53F, std::min(cell.y, 1.0F - cell.y));
     const vec2 q(cell.x * 14.0F, cell.y * 9.0F);
     const vec2 f = glm::abs(glm::fract(q) - 0.5F);
     const float diamond = f.x + f.y;
@@ -172,11 +172,14 @@ Texel rug(vec2 uv) {
         field = colour<0xd0bf98>();
     }
     if (edge < 0.042F) field = colour<0x6f2a26>();
-    const float own = hash_unit(static_cast<int>(cell.x * knots.x), static_cast<int>(cell.y * knots.y), 0, 9);
-    const float knot = (1.0F - 2.0F * std::abs(in.x - 0.5F)) * (1.0F - 2.0F * std::abs(in.y - 0.5F));
+    const float own =
+        hash_unit(static_cast<int>(cell.x * knots.x), static_cast<int>(cell.y * knots.y), 0, 9);
+    const float knot =
+        (1.0F - 2.0F * std::abs(in.x - 0.5F)) * (1.0F - 2.0F * std::abs(in.y - 0.5F));
     const float worn = glm::smoothstep(0.0F, 0.5F, noise(uv + 0.2F));
     Texel texel;
-    texel.albedo = glm::mix(field, colour<0x9c8d78>(), 0.25F * worn) * (0.72F + 0.3F * own + 0.16F * knot);
+    texel.albedo =
+        glm::mix(field, colour<0x9c8d78>(), 0.25F * worn) * (0.72F + 0.3F * own + 0.16F * knot);
     texel.height_m = 0.0012F * knot + 0.0005F * own;
     return texel;
 }
@@ -212,7 +215,8 @@ Texel leaf(vec2 uv) {
     const float ribs = std::abs(glm::fract(t * 9.0F - 1.3F * across) - 0.5F) * 2.0F;
     const float rib = 1.0F - glm::smoothstep(0.0F, 0.18F, ribs);
     Texel texel;
-    texel.albedo = glm::mix(colour<0x2f5326>(), colour<0x547a38>(), glm::clamp(0.5F + 0.6F * noise(uv), 0.0F, 1.0F));
+    texel.albedo = glm::mix(colour<0x2f5326>(), colour<0x547a38>(),
+                            glm::clamp(0.5F + 0.6F * noise(uv), 0.0F, 1.0F));
     texel.albedo = glm::mix(texel.albedo, colour<0x9db068>(), 0.7F * middle + 0.22F * rib);
     texel.height_m = 0.0010F * middle + 0.0006F * rib;
     texel.opacity = glm::clamp(0.5F + 12.0F * (half - across), 0.0F, 1.0F);
@@ -222,7 +226,8 @@ Texel leaf(vec2 uv) {
 Texel soil(vec2 uv) {
     const Cell clod = cellular(uv * 20.0F, 131, {20, 20});
     Texel texel;
-    texel.albedo = colour<0x3c2e24>() * (0.8F + 0.5F * hash_unit(static_cast<int>(clod.id & 0xffffU), 0, 0, 2));
+    texel.albedo = colour<0x3c2e24>() *
+                   (0.8F + 0.5F * hash_unit(static_cast<int>(clod.id & 0xffffU), 0, 0, 2));
     texel.height_m = -0.006F * clod.nearest;
     return texel;
 }
@@ -246,7 +251,9 @@ Texel picture(vec2 uv) {
             const vec2 q = (p - vec2(x, 0.6F)) / vec2(0.13F, 0.19F);
             const float waist = 1.0F - 0.45F * glm::smoothstep(0.2F, -1.0F, q.y);
             const float r = glm::length(vec2(q.x / waist, q.y));
-            if (r < 1.0F) texel.albedo = glm::mix(colour<0xc9b24e>(), colour<0x6f5a22>(), glm::clamp(r * 0.6F + q.x * 0.5F, 0.0F, 1.0F));
+            if (r < 1.0F)
+                texel.albedo = glm::mix(colour<0xc9b24e>(), colour<0x6f5a22>(),
+                                        glm::clamp(r * 0.6F + q.x * 0.5F, 0.0F, 1.0F));
         }
     }
     texel.albedo *= 1.0F + 0.18F * stroke;
@@ -267,7 +274,7 @@ constexpr std::array<Finish, 17> kFinishes{{
     {"lacquer", lacquer, 256, 256, 0.8F, 0.20F, 40.0F},
     {"paper", paper, 256, 256, 0.12F, 0.01F, 8.0F, true},
     {"print", print, 384, 512, 1.0F, 0.02F, 8.0F, true},
-    {"binding", binding, 384, 384, 0.4F, 0.05F, 14.0F},
+    {"binding", binding, 384, 384, 0.4F, 0.05F, 14.0F, true},
     {"curtain", curtain, 512, 512, 0.6F, 0.02F, 8.0F, true},
     {"upholstery", upholstery, 512, 512, 0.4F, 0.03F, 10.0F},
     {"rug", rug, 1040, 680, 1.0F, 0.01F, 8.0F},
