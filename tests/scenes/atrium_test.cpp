@@ -162,8 +162,8 @@ void expect_cameras_in_the_open(const Scene& scene) {
 // One test for all that is seen in one built scene, because building it takes a second.
 TEST(Atrium, IsSoundAndTheSameInEveryRun) {
     const Scene scene = atrium().build();
-    EXPECT_GE(scene.triangle_count(), 150000U);
-    EXPECT_LE(scene.triangle_count(), 400000U);
+    EXPECT_GE(scene.triangle_count(), 400000U);
+    EXPECT_LE(scene.triangle_count(), 800000U);
     expect_sound_vertices(scene);
     expect_sound_triangles(scene);
     expect_valid_materials(scene);

@@ -128,7 +128,9 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure) {
         renderer::Mesh mesh = polygonise(
             part.solid, part.cell_m,
             [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
-                return tint * (1.0F - part.painted_shade * occlusion_at(field, p, normal));
+                const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
+                const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;
+                return colour * (1.0F - part.painted_shade * occlusion_at(field, p, normal));
             });
         mesh.name = figure.name + " " + part.name;
         mesh.material = static_cast<std::uint32_t>(part.cloth);

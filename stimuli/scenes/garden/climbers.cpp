@@ -87,9 +87,9 @@ void put_trees(Assembly& garden) {
                                        {{-6.6F, 3.9F, -1.6F}, 1.8F},
                                        {{-7.0F, 3.5F, 1.6F}, 1.7F},
                                        {{8.2F, 4.4F, -6.0F}, 2.2F}}};
-    const Mesh sprig = card(1.0F, 0.95F, 0.7F, 0.2F, 2);
+    const Mesh sprig = card(1.0F, 0.95F, 0.7F, 0.2F, 1);
     for (const Crown& crown : crowns) {
-        const int sprigs = static_cast<int>(230.0F * crown.radius_m * crown.radius_m);
+        const int sprigs = static_cast<int>(400.0F * crown.radius_m * crown.radius_m);
         for (int i = 0; i < sprigs; ++i) {
             const float up = draw(random, -1.0F, 1.0F);
             const float turn = draw(random, 0.0F, 6.2832F);
@@ -101,7 +101,7 @@ void put_trees(Assembly& garden) {
             const glm::mat4 place = moved(crown.centre_m + way * crown.radius_m * far_out * lumpy) *
                                     about_y(turn + draw(random, -0.8F, 0.8F)) *
                                     about_x(draw(random, 0.5F, 2.2F)) *
-                                    glm::scale(glm::mat4(1.0F), vec3(draw(random, 0.30F, 0.52F)));
+                                    glm::scale(glm::mat4(1.0F), vec3(draw(random, 0.20F, 0.36F)));
             garden.put_mapped(
                 Surface::kTwig, sprig, place,
                 shade_of(own, 0.45F) * glm::mix(0.5F, 1.0F, (far_out - 0.72F) / 0.28F));

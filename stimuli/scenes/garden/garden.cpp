@@ -31,9 +31,9 @@ renderer::Scene build() {
 renderer::Lighting lighting(Validity validity) {
     renderer::SkyColours sky;
     sky.towards_sun = kTowardsSun;
-    sky.zenith = {0.48F, 0.66F, 1.02F};
-    sky.horizon = {0.86F, 0.90F, 0.96F};
-    sky.ground = {0.24F, 0.25F, 0.15F};
+    sky.zenith = {0.66F, 0.84F, 1.20F};
+    sky.horizon = {1.15F, 1.17F, 1.20F};
+    sky.ground = {0.40F, 0.38F, 0.26F};
     sky.sun_glow = {0.9F, 0.8F, 0.6F};
     sky.cloud_cover = 0.45F;
     sky.seed = 11;
@@ -42,7 +42,7 @@ renderer::Lighting lighting(Validity validity) {
     if (validity == Validity::kHigh) {
         light.lights = {{kTowardsSun, vec3(1.0F, 0.92F, 0.78F) * 5.2F}};
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.15F, 4.0F};
+        light.tone_mapping = renderer::ToneMapping{1.0F, 4.0F};
     }
     return light;
 }

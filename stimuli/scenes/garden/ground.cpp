@@ -30,7 +30,7 @@ Mesh strip(float z0, float z1, float cell_m) {
     return mesh;
 }
 
-/// A stone whose surface is an octahedron refined once, pushed about and flattened.
+/// A round stone of unit radius, pushed about and flattened.
 Mesh stone_shape(std::uint32_t seed) {
     PatchOptions options;
     options.columns = 6;
@@ -44,6 +44,9 @@ Mesh stone_shape(std::uint32_t seed) {
             1.0F + 0.28F * gradient_noise(1.6F * way + 3.0F * static_cast<float>(seed), seed);
         return way * r * vec3(1.0F, 0.62F, 0.8F);
     });
+    // The shape is as large as its place scales it; its texture is that of a centimetre.
+    project_box_uv(mesh);
+    for (renderer::Vertex& vertex : mesh.vertices) vertex.uv *= 0.01F;
     return mesh;
 }
 

@@ -291,10 +291,10 @@ constexpr std::array<Finish, 15> kFinishes{{
     {"turf", turf, 512, 512, 1.2F, 0.0F, 8.0F},
     {"zinc", zinc, 256, 256, 0.4F, 0.25F, 30.0F},
     {"wood", wood, 256, 256, 1.0F, 0.02F, 8.0F},
-    {"ivy", ivy, 256, 256, 1.0F, 0.12F, 24.0F, true, true},
-    {"fern", fern, 256, 1024, 1.0F, 0.06F, 16.0F, true, true},
-    {"twig", twig, 256, 256, 1.0F, 0.10F, 24.0F, true, true},
-    {"grass", grass, 256, 256, 1.0F, 0.05F, 16.0F, true, true},
+    {"ivy", ivy, 256, 256, 1.0F, 0.025F, 12.0F, true, true},
+    {"fern", fern, 256, 1024, 1.0F, 0.02F, 12.0F, true, true},
+    {"twig", twig, 256, 256, 1.0F, 0.025F, 12.0F, true, true},
+    {"grass", grass, 256, 256, 1.0F, 0.02F, 12.0F, true, true},
     {"flower", flower, 128, 128, 1.0F, 0.02F, 8.0F, true, true},
 }};
 

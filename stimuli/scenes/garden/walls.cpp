@@ -89,6 +89,8 @@ void put_pier(Assembly& garden, const glm::mat4& place, std::uint32_t seed) {
             garden.put(Surface::kBrick, brick, place * spot, own, brick_colour(own));
         }
     }
+    garden.put(Surface::kMortar, bevelled_box({0.43F, 2.40F, 0.32F}, 0.0F),
+               place * moved(0.0F, 1.20F, 0.001F), seed);
     garden.put(Surface::kStone, bevelled_box({0.56F, 0.09F, 0.56F}, 0.02F),
                place * moved(0.0F, 2.45F, -0.05F), seed);
     std::vector<vec2> ball;

@@ -113,6 +113,7 @@ void put_chequer_plate(Assembly& hall, float x0, float x1, float z0, float z1, s
     PatchOptions options;
     options.columns = 6;
     options.rows = 2;
+    options.size_m = {0.032F, 0.011F};
     const Mesh lozenge = patch(options, [](float u, float v) {
         const float along = 2.0F * u - 1.0F;
         const float half = 0.0055F * (1.0F - along * along);
