@@ -171,6 +171,16 @@ TEST(Atrium, IsSoundAndTheSameInEveryRun) {
     EXPECT_EQ(digest(scene), digest(atrium().build()));
 }
 
+TEST(Atrium, PlantsHaveLeavesThatAreCutOut) {
+    const Scene scene = atrium().build();
+    std::size_t leaves = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        const renderer::Material& material = scene.materials[mesh.material];
+        if (material.coverage == renderer::Coverage::kCutOut) leaves += mesh.indices.size() / 3;
+    }
+    EXPECT_GT(leaves, 20'000U);
+}
+
 TEST(Atrium, EachLevelAddsLightToTheOneBefore) {
     const renderer::Lighting moderate = atrium().lighting(Validity::kModerate);
     const renderer::Lighting high = atrium().lighting(Validity::kHigh);

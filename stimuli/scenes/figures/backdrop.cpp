@@ -21,6 +21,13 @@ using renderer::Mesh;
 constexpr float kFace_m = -5.2F;  ///< z of the house's front
 constexpr float kHigh_m = 5.2F;
 
+/// A colour picked by eye, decoded once.
+template <std::uint32_t kSrgb>
+const vec3& colour() {
+    static const vec3 linear = linear_from_srgb(kSrgb);
+    return linear;
+}
+
 /// Lime plaster with stains below ledges and patches of repair. Covers 4 m.
 Texel plaster(vec2 uv) {
     const float broad = shared_noise(uv);
@@ -29,10 +36,10 @@ Texel plaster(vec2 uv) {
     const float run = glm::smoothstep(0.15F, 0.55F, shared_noise(uv * vec2(7.0F, 1.0F) + 0.6F));
     const float patch_edge = glm::smoothstep(0.30F, 0.32F, shared_noise(uv * 2.0F + 0.8F));
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0xb8a482), linear_from_srgb(0xcfc0a0),
-                            glm::clamp(0.5F + broad, 0.0F, 1.0F));
+    texel.albedo =
+        glm::mix(colour<0xb8a482>(), colour<0xcfc0a0>(), glm::clamp(0.5F + broad, 0.0F, 1.0F));
     texel.albedo *= (1.0F + 0.08F * medium + 0.10F * fine) * (1.0F - 0.22F * run);
-    texel.albedo = glm::mix(texel.albedo, linear_from_srgb(0xb9ae98), 0.6F * patch_edge);
+    texel.albedo = glm::mix(texel.albedo, colour<0xb9ae98>(), 0.6F * patch_edge);
     texel.height_m = 0.002F * medium + 0.0008F * fine + 0.001F * patch_edge;
     return texel;
 }
@@ -43,8 +50,8 @@ Texel timber(vec2 uv) {
     const float worn =
         glm::smoothstep(0.1F, 0.5F, shared_noise(uv * vec2(3.0F, 1.0F)) + 0.3F * grain);
     Texel texel;
-    texel.albedo = glm::mix(linear_from_srgb(0x4d6460), linear_from_srgb(0x8d8672), 0.7F * worn) *
-                   (1.0F + 0.12F * grain);
+    texel.albedo =
+        glm::mix(colour<0x4d6460>(), colour<0x8d8672>(), 0.7F * worn) * (1.0F + 0.12F * grain);
     texel.height_m = 0.0006F * grain - 0.0004F * worn;
     return texel;
 }
@@ -136,7 +143,7 @@ void add_window(Front& front, float x) {
             const float y = kLow + 0.11F + 0.052F * static_cast<float>(i);
             if (std::abs(y - middle) < 0.06F) continue;
             Mesh slat;
-            append(slat, bevelled_box({0.40F, 0.05F, 0.008F}, 0.002F),
+            append(slat, bevelled_box({0.40F, 0.05F, 0.008F}, 0.0F),
                    {.transform = moved(out, y, z + 0.055F) * about_x(0.75F)});
             front.timber_part(slat, 0.72F);
         }
@@ -170,22 +177,19 @@ void add_door(Front& front, float x) {
 void add_backdrop(renderer::Scene& scene) {
     Front front(scene);
     constexpr float kDoor = 2.05F;
-    constexpr std::array<float, 2> kWindows{-1.75F, 5.2F};
+    constexpr float kWindow = -1.75F;
     // The wall between the openings.
     const auto wall = [&](float x0, float x1, float y0, float y1) {
         front.plaster_part(
             rectangle({x0, y0, kFace_m}, {x1 - x0, 0.0F, 0.0F}, {0.0F, y1 - y0, 0.0F}, 0.5F));
     };
-    wall(-7.5F, kWindows[0] - 0.5F, 0.0F, kHigh_m);
-    wall(kWindows[0] + 0.5F, kDoor - 0.5F, 0.0F, kHigh_m);
-    wall(kDoor + 0.5F, kWindows[1] - 0.5F, 0.0F, kHigh_m);
-    wall(kWindows[1] + 0.5F, 7.5F, 0.0F, kHigh_m);
+    wall(-7.5F, kWindow - 0.5F, 0.0F, kHigh_m);
+    wall(kWindow + 0.5F, kDoor - 0.5F, 0.0F, kHigh_m);
+    wall(kDoor + 0.5F, 7.5F, 0.0F, kHigh_m);
+    wall(kWindow - 0.5F, kWindow + 0.5F, 0.0F, 1.02F);
+    wall(kWindow - 0.5F, kWindow + 0.5F, 2.55F, kHigh_m);
+    add_window(front, kWindow);
     wall(kDoor - 0.5F, kDoor + 0.5F, 2.25F, kHigh_m);
-    for (const float x : kWindows) {
-        wall(x - 0.5F, x + 0.5F, 0.0F, 1.02F);
-        wall(x - 0.5F, x + 0.5F, 2.55F, kHigh_m);
-        add_window(front, x);
-    }
     add_door(front, kDoor);
     // A plinth of stones, a string course and a gutter pipe.
     for (int row = 0; row < 2; ++row) {
