@@ -36,6 +36,18 @@ void check_scene(const Scene& scene) {
     }
 }
 
+/// Whether a surface with holes or seen-through uses the texture. Leaves are drawn by small cards,
+/// some of them edge on; Mesa's software rasterizer filters such with anisotropy without end.
+bool is_of_leaves(const Scene& scene, const Texture& texture) {
+    const auto index = static_cast<TextureIndex>(&texture - scene.textures.data());
+    return std::any_of(
+        scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+            return material.coverage != Coverage::kOpaque &&
+                   (material.albedo_texture == index || material.normal_texture == index ||
+                    material.emissive_texture == index || material.occlusion_texture == index);
+        });
+}
+
 gl::Texture upload(const Scene& scene, const Texture& texture) {
     const auto texels =
         static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
@@ -53,7 +65,8 @@ gl::Texture upload(const Scene& scene, const Texture& texture) {
     glGenerateTextureMipmap(result.name());
     glTextureParameteri(result.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(result.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameterf(result.name(), GL_TEXTURE_MAX_ANISOTROPY, 4.0F);
+    glTextureParameterf(result.name(), GL_TEXTURE_MAX_ANISOTROPY,
+                        is_of_leaves(scene, texture) ? 1.0F : 4.0F);
     return result;
 }
 

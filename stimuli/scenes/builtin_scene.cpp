@@ -11,6 +11,9 @@ const std::vector<BuiltinScene>& builtin_scenes() {
         make_figures(),
         make_atrium(),
         make_relic(),
+        make_machine(),
+        make_room(),
+        make_garden(),
     };
     return list;
 }

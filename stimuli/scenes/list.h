@@ -9,6 +9,9 @@ namespace obscura::stimuli {
 // One line a scene; each is defined in the file or folder of its name.
 BuiltinScene make_atrium();
 BuiltinScene make_figures();
+BuiltinScene make_garden();
+BuiltinScene make_machine();
 BuiltinScene make_relic();
+BuiltinScene make_room();
 
 }  // namespace obscura::stimuli

@@ -162,13 +162,23 @@ void expect_cameras_in_the_open(const Scene& scene) {
 // One test for all that is seen in one built scene, because building it takes a second.
 TEST(Atrium, IsSoundAndTheSameInEveryRun) {
     const Scene scene = atrium().build();
-    EXPECT_GE(scene.triangle_count(), 150000U);
-    EXPECT_LE(scene.triangle_count(), 400000U);
+    EXPECT_GE(scene.triangle_count(), 400000U);
+    EXPECT_LE(scene.triangle_count(), 800000U);
     expect_sound_vertices(scene);
     expect_sound_triangles(scene);
     expect_valid_materials(scene);
     expect_cameras_in_the_open(scene);
     EXPECT_EQ(digest(scene), digest(atrium().build()));
+}
+
+TEST(Atrium, PlantsHaveLeavesThatAreCutOut) {
+    const Scene scene = atrium().build();
+    std::size_t leaves = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        const renderer::Material& material = scene.materials[mesh.material];
+        if (material.coverage == renderer::Coverage::kCutOut) leaves += mesh.indices.size() / 3;
+    }
+    EXPECT_GT(leaves, 20'000U);
 }
 
 TEST(Atrium, EachLevelAddsLightToTheOneBefore) {

@@ -84,6 +84,7 @@ TEST(Figures, AreSoundClosedDetailedAndTheSameInEveryBuild) {
     std::set<std::string> people;
     for (const renderer::Mesh& mesh : scene.meshes) {
         if (mesh.name == "ground" || mesh.name == "wall") continue;
+        if (mesh.name.starts_with("house ")) continue;
         people.insert(mesh.name.substr(0, mesh.name.find(' ')));
         EXPECT_TRUE(open_edges(mesh).empty()) << mesh.name;
         float lowest = 1.0F;

@@ -18,22 +18,28 @@ float draw(base::Random& random, float low, float high) {
     return static_cast<float>(random.uniform(low, high));
 }
 
-/// A blade that rises and bends over outwards (+z); uv cover the leaf texture once.
-Mesh blade(float length, float width, float bend, float cup, int rows) {
+/// What the leaf texture holds, side by side: the sprays of a palm, oval leaves, lobed leaves.
+enum class LeafKind { kPalm, kOval, kLobed };
+
+/// A card that rises and bends over outwards (+z) and is folded along its middle; its texture cuts
+/// out the leaf.
+Mesh blade(LeafKind kind, float length, float width, float bend, float cup, int rows) {
     PatchOptions options;
     options.columns = 2;
     options.rows = rows;
     Mesh mesh = patch(options, [&](float u, float v) {
         const float across = (0.5F - u) * 2.0F;
-        const float shape = std::sin(glm::pi<float>() * std::pow(0.02F + 0.97F * v, 0.75F));
         const float angle = bend * v;
         // A circular arc of that length.
         const float out = bend > 1e-3F ? length * (1.0F - std::cos(angle)) / bend : 0.0F;
         const float up = bend > 1e-3F ? length * std::sin(angle) / bend : length * v;
-        const float lift = cup * width * across * across * shape;
-        return vec3(0.5F * width * shape * across, up + lift * std::sin(angle),
+        const float lift = cup * width * across * across;
+        return vec3(0.5F * width * across, up + lift * std::sin(angle),
                     out - lift * std::cos(angle));
     });
+    for (renderer::Vertex& vertex : mesh.vertices) {
+        vertex.uv.x = (static_cast<float>(kind) + 0.02F + 0.96F * vertex.uv.x) / 3.0F;
+    }
     return mesh;
 }
 
@@ -46,8 +52,8 @@ Mesh palm(std::uint64_t seed, int leaves, float length) {
         const float turn = 2.399963F * static_cast<float>(i) + draw(random, -0.25F, 0.25F);
         const float tilt = glm::mix(0.1F, 0.75F, t) + draw(random, -0.1F, 0.1F);
         const Mesh leaf =
-            blade(length * draw(random, 0.75F, 1.1F), 0.075F * draw(random, 0.8F, 1.2F),
-                  draw(random, 0.7F, 1.7F), 0.35F, 7);
+            blade(LeafKind::kPalm, length * draw(random, 0.75F, 1.1F),
+                  0.24F * draw(random, 0.8F, 1.2F), draw(random, 0.7F, 1.7F), 0.25F, 10);
         Placement placement;
         placement.transform = glm::rotate(glm::mat4(1.0F), turn, vec3(0.0F, 1.0F, 0.0F)) *
                               glm::rotate(at(0.0F, 0.0F, 0.02F), tilt, vec3(1.0F, 0.0F, 0.0F));
@@ -71,8 +77,8 @@ Mesh bush(std::uint64_t seed, int leaves, float radius) {
         const float far_out = draw(random, 0.45F, 1.0F);
         const vec3 centre =
             vec3(0.0F, radius * 0.95F, 0.0F) + out * radius * far_out * vec3(1.0F, 1.1F, 1.0F);
-        const Mesh leaf = blade(draw(random, 0.13F, 0.21F), draw(random, 0.065F, 0.1F),
-                                draw(random, 0.3F, 1.3F), 0.3F, 3);
+        const Mesh leaf = blade(LeafKind::kOval, draw(random, 0.13F, 0.21F),
+                                draw(random, 0.075F, 0.115F), draw(random, 0.3F, 1.3F), 0.2F, 4);
         Placement placement;
         placement.transform =
             glm::rotate(glm::translate(glm::mat4(1.0F), centre), turn + draw(random, -0.7F, 0.7F),
@@ -101,8 +107,9 @@ Mesh trailing(std::uint64_t seed, float width, float drop) {
             const float t = static_cast<float>(i) / static_cast<float>(leaves);
             const vec3 place(start + drift * t * t + draw(random, -0.05F, 0.05F),
                              0.05F - length * t, draw(random, 0.0F, 0.07F));
-            const Mesh leaf = blade(draw(random, 0.09F, 0.14F) * (1.0F - 0.35F * t),
-                                    draw(random, 0.06F, 0.085F), draw(random, 0.3F, 1.0F), 0.3F, 3);
+            const Mesh leaf =
+                blade(LeafKind::kLobed, draw(random, 0.09F, 0.14F) * (1.0F - 0.35F * t),
+                      draw(random, 0.08F, 0.12F), draw(random, 0.3F, 1.0F), 0.2F, 3);
             Placement placement;
             placement.transform =
                 glm::rotate(glm::translate(glm::mat4(1.0F), place), draw(random, -0.9F, 0.9F),

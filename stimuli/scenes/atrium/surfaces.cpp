@@ -244,11 +244,34 @@ Texel banner(vec2 uv) {
     return texel;
 }
 
-/// A leaf's blade: v from stalk to tip, u across.
+/// How far inside a leaf's outline a point lies, negative outside; v runs from stalk to tip.
+float inside_leaf(int kind, vec2 p) {
+    const float across = std::abs(p.x - 0.5F) * 2.0F;
+    if (kind == 0) {
+        // A palm's spray: narrow leaflets that point outwards and up along a stem.
+        constexpr float kLeaflets = 22.0F;
+        const float stem = 0.05F * (1.05F - p.y) - across;
+        const float length =
+            0.96F * std::pow(std::sin(3.0F * std::pow(0.03F + 0.96F * p.y, 0.7F)), 0.7F);
+        const float along = p.y * kLeaflets - 2.6F * across + (p.x > 0.5F ? 0.5F : 0.0F);
+        const float middle = std::abs(along - std::floor(along) - 0.5F);
+        const float leaflet = 0.40F * std::sqrt(std::max(0.0F, 1.0F - across / length)) - middle;
+        return std::max(stem, p.y > 0.06F && across < length ? 0.5F * leaflet : -1.0F);
+    }
+    const float shape = std::sin(3.1415927F * std::pow(0.02F + 0.97F * p.y, 0.75F));
+    if (kind == 1) return 0.94F * shape * (1.0F + 0.03F * std::sin(70.0F * p.y)) - across;
+    // Three lobes on either side.
+    const float lobes = 0.80F + 0.20F * std::cos(3.0F * 6.2831853F * (p.y + 0.22F * across) - 1.0F);
+    return 0.96F * std::pow(shape, 0.8F) * lobes - across;
+}
+
+/// A palm's spray, an oval and a lobed leaf side by side, cut out.
 Texel leaf(vec2 uv) {
-    const float across = std::abs(uv.x - 0.5F) * 2.0F;
+    const int kind = std::min(2, static_cast<int>(uv.x * 3.0F));
+    const vec2 p(uv.x * 3.0F - static_cast<float>(kind), uv.y);
+    const float across = std::abs(p.x - 0.5F) * 2.0F;
     const float middle = 1.0F - glm::smoothstep(0.0F, 0.09F, across);
-    const float ribs = std::abs(glm::fract(uv.y * 7.0F + 0.9F * across) - 0.5F) * 2.0F;
+    const float ribs = std::abs(glm::fract(p.y * 7.0F + 0.9F * across) - 0.5F) * 2.0F;
     const float rib = (1.0F - glm::smoothstep(0.0F, 0.16F, ribs)) * (1.0F - across);
     const float mottle = noise(uv);
     Texel texel;
@@ -256,6 +279,7 @@ Texel leaf(vec2 uv) {
                             glm::clamp(0.45F + 0.6F * mottle, 0.0F, 1.0F));
     texel.albedo = glm::mix(texel.albedo, colour<0x9aa765>(), 0.6F * middle + 0.25F * rib);
     texel.height_m = 0.0006F * middle + 0.0003F * rib + 0.0003F * mottle;
+    texel.opacity = glm::clamp(0.5F + 10.0F * inside_leaf(kind, p), 0.0F, 1.0F);
     return texel;
 }
 
@@ -309,7 +333,7 @@ std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
         {"roof", clay, 512, 512, 1.0F, 0.04F, 12.0F, white, true},
         {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, white, true},
         {"banner", banner, 768, 768, 3.15F, 0.02F, 8.0F, white, true},
-        {"leaf", leaf, 256, 256, 1.0F, 0.10F, 24.0F, white, true},
+        {"leaf", leaf, 768, 512, 1.0F, 0.10F, 24.0F, white, true},
         {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F, white, false},
         {"iron", iron, 256, 256, 0.5F, 0.25F, 32.0F, white, false},
         {"lamp-glass", lamp_glass, 64, 64, 0.3F, 0.4F, 64.0F, white, false},
@@ -325,6 +349,7 @@ std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
         material.specular_intensity = finish.specular_intensity;
         material.specular_power = finish.specular_power;
         material.double_sided = finish.double_sided;
+        if (finish.at == leaf) material.coverage = renderer::Coverage::kCutOut;
         TextureRecipe recipe;
         recipe.name = finish.name;
         recipe.width = finish.width;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -51,6 +52,10 @@ struct Figure {
     std::vector<FigurePart> parts;
     std::vector<Eye> eyes;
 
+    /// What the skin's colour is multiplied by at a place, for blood, beard and shadows under the
+    /// eyes; optional.
+    std::function<glm::vec3(const glm::vec3& position_m)> complexion;
+
     FigurePart& part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m);
 };
 
@@ -63,6 +68,7 @@ struct FaceTraits {
     float nose = 1.0F;     ///< size
     float neck = 1.0F;     ///< girth
     float eyelids = 1.0F;  ///< opening of the eyes
+    float beard = 0.0F;    ///< shade of a shaven beard, [0, 1]
     glm::vec3 skin{0.55F, 0.36F, 0.27F};
     glm::vec3 lip{0.45F, 0.22F, 0.18F};
     glm::vec3 brows{0.08F, 0.05F, 0.035F};
@@ -113,7 +119,10 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure);
 /// Materials in the order of Cloth.
 void add_materials(renderer::Scene& scene);
 
-/// Floor, low wall and crates.
+/// Floor and low wall.
 void add_surroundings(renderer::Scene& scene);
+
+/// The front of a house across the street behind them.
+void add_backdrop(renderer::Scene& scene);
 
 }  // namespace obscura::stimuli::figures

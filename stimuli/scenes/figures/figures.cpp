@@ -23,6 +23,7 @@ renderer::Scene build() {
     figures::add_to_scene(scene, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
     figures::add_to_scene(scene, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
     figures::add_surroundings(scene);
+    figures::add_backdrop(scene);
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
         renderer::Camera result;
         result.name = name;
@@ -60,7 +61,7 @@ renderer::Lighting lighting(Validity validity) {
 
 BuiltinScene make_figures() {
     return {.id = "figures",
-            .title = "A man and a woman, clothed, standing on worn stone",
+            .title = "A man and a woman, clothed, standing on worn stone before a house",
             .stands_in_for = "the two game characters",
             .levels = {Validity::kModerate, Validity::kHigh},
             .cameras = {"pair", "close"},

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "stimuli/scenes/figures/figure.h"
+#include "stimuli/scenes/support/noise.h"
 
 namespace obscura::stimuli::figures {
 namespace {
@@ -226,7 +229,42 @@ void HeadModel::eyebrows() {
 
 }  // namespace
 
+namespace {
+
+/// Blood in cheeks, nose and ears, shadows under the eyes, a shaven beard, and mottling. `q` is for
+/// a head 0.235 m high, as in HeadModel.
+glm::vec3 complexion_at(const glm::vec3& q, float beard) {
+    const auto near = [&](const glm::vec3& centre, float reach) {
+        const glm::vec3 mirrored(std::abs(q.x), q.y, q.z);
+        const float away = glm::length(mirrored - centre) / reach;
+        return std::exp(-away * away);
+    };
+    const float mottle = fbm(q * 55.0F, 41, 3);
+    glm::vec3 colour(1.0F + 0.05F * mottle, 1.0F + 0.09F * mottle, 1.0F + 0.08F * mottle);
+    const auto towards = [&](const glm::vec3& other, float share) {
+        colour *= glm::mix(glm::vec3(1.0F), other, std::clamp(share, 0.0F, 1.0F));
+    };
+    const glm::vec3 blood(1.05F, 0.80F, 0.76F);
+    towards(blood, (0.8F + 0.4F * mottle) * near({0.040F, -0.030F, 0.072F}, 0.024F));
+    towards(blood, 0.7F * near({0.0F, -0.028F, 0.105F}, 0.018F));
+    towards(blood, 0.8F * std::clamp((std::abs(q.x) - 0.066F) / 0.012F, 0.0F, 1.0F));
+    towards({0.80F, 0.74F, 0.78F}, 0.7F * near({0.030F, -0.013F, 0.080F}, 0.012F));
+    towards({0.86F, 0.80F, 0.78F}, 0.6F * near({0.030F, 0.008F, 0.080F}, 0.010F));
+    const float lower =
+        std::clamp((-0.040F - q.y + 0.35F * std::max(0.0F, q.z - 0.06F)) / 0.02F, 0.0F, 1.0F) *
+        std::clamp((q.y + 0.135F) / 0.03F, 0.0F, 1.0F);
+    const float hairs = 0.75F + 0.5F * gradient_noise(q * 420.0F, 43);
+    towards({0.66F, 0.66F, 0.68F}, beard * lower * hairs);
+    return colour;
+}
+
+}  // namespace
+
 void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits) {
+    figure.complexion = [at, scale, beard = traits.beard](const glm::vec3& p) {
+        const glm::vec3 q = (p - at.origin_m) * at.axes / scale;
+        return glm::length(q) < 0.25F ? complexion_at(q, beard) : glm::vec3(1.0F);
+    };
     FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0028F, 0.06F);
     HeadModel head(skin.solid, at, scale, traits);
     head.skull();

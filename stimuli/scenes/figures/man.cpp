@@ -336,6 +336,7 @@ Figure make_man(const Placed& at) {
     const Placed head{at(0.0F, 1.680F, 0.030F),
                       axes_from(gaze, at.axes * glm::vec3(0.03F, 1.0F, 0.0F))};
     FaceTraits traits;
+    traits.beard = 1.0F;
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
     traits.jaw = 1.02F;

@@ -95,9 +95,9 @@ TextureRecipe slabs() {
 }  // namespace
 
 void add_materials(renderer::Scene& scene) {
-    add_material(scene, {.name = "skin", .specular_intensity = 0.10F, .specular_power = 18.0F},
+    add_material(scene, {.name = "skin", .specular_intensity = 0.06F, .specular_power = 14.0F},
                  skin());
-    add_material(scene, {.name = "hair", .specular_intensity = 0.16F, .specular_power = 28.0F},
+    add_material(scene, {.name = "hair", .specular_intensity = 0.06F, .specular_power = 16.0F},
                  hair());
     scene.materials.push_back({.name = "eye",
                                .albedo = glm::vec3(1.0F),
@@ -109,7 +109,7 @@ void add_materials(renderer::Scene& scene) {
                  weave("linen", 72, 0.08F, 0.0002F, 0.0F));
     add_material(scene, {.name = "trousers", .specular_intensity = 0.03F, .specular_power = 10.0F},
                  weave("twill", 48, 0.06F, 0.0003F, 1.0F));
-    add_material(scene, {.name = "leather", .specular_intensity = 0.22F, .specular_power = 30.0F},
+    add_material(scene, {.name = "leather", .specular_intensity = 0.07F, .specular_power = 14.0F},
                  leather());
     scene.materials.push_back({.name = "metal",
                                .albedo = glm::vec3(1.0F),

@@ -14,17 +14,31 @@ void add_digit(Sculpture& s, const glm::vec3& root, const glm::vec3& knuckle, co
     s.add(round_cone(root, 1.1F * thick_m, knuckle, thick_m), {0.008F, kJade, true});
     s.add(ball(knuckle, 1.12F * thick_m), {0.005F, kJade, true});
     s.add(round_cone(knuckle, thick_m, tip, 0.85F * thick_m), {0.004F, kJade, true});
+    // Overlapping shields on the back of the digit, a pad below its tip.
+    const glm::vec3 back =
+        glm::normalize(2.0F * knuckle - root - tip + glm::vec3(0.0F, 1e-4F, 0.0F));
+    for (int i = 0; i < 6; ++i) {
+        const float t = (static_cast<float>(i) + 0.5F) / 3.0F;
+        const glm::vec3 at =
+            t < 1.0F ? glm::mix(root, knuckle, t) : glm::mix(knuckle, tip, t - 1.0F);
+        const glm::vec3 along = glm::normalize(t < 1.0F ? knuckle - root : tip - knuckle);
+        s.add(ellipsoid(at + back * (0.50F * thick_m),
+                        thick_m * glm::vec3(0.80F, 0.72F, 0.62F - 0.02F * static_cast<float>(i)),
+                        axes_from(glm::normalize(along - 0.35F * back), back)),
+              {0.0015F, kDeep, true});
+    }
+    s.add(ball(tip - back * (0.45F * thick_m), 0.72F * thick_m), {0.003F, kJade, true});
     const glm::vec3 middle = 0.5F * (tip + claw) + 0.35F * glm::length(claw - tip) *
                                                        glm::normalize(knuckle - root) * 0.3F;
     const Curve nail = make_curve(
-        {{tip, 0.80F * thick_m, 0.0F}, {middle, 0.55F * thick_m, 0.0F}, {claw, 0.0012F, 0.0F}}, 5,
+        {{tip, 0.92F * thick_m, 0.0F}, {middle, 0.62F * thick_m, 0.0F}, {claw, 0.0014F, 0.0F}}, 5,
         glm::normalize(root - tip));
     s.add(tube(nail), {0.002F, kPale, true});
 }
 
 void add_limb(Sculpture& s, const std::vector<Knot>& knots) {
     const Curve bones = make_curve(knots, 6, glm::vec3(0.1F, 0.2F, 1.0F));
-    s.add(tube(bones, scales(bones, 10, 0.0075F, false)), {0.022F, kJade, true});
+    s.add(tube(bones, scales(bones, 12, 0.0115F, false)), {0.022F, kJade, true});
 }
 
 /// Flame-shaped locks that fly from an elbow or heel.

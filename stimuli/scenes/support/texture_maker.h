@@ -14,6 +14,7 @@ namespace obscura::stimuli {
 struct Texel {
     glm::vec3 albedo{0.5F};  ///< linear Rec. 709, clamped to [0, 1] when stored
     float height_m = 0.0F;   ///< of the fine relief, along the normal
+    float opacity = 1.0F;    ///< the albedo texture's alpha, clamped to [0, 1] when stored
 };
 
 /// A surface to bake: `at` takes uv in [0, 1)^2 and must wrap at 1 (use periodic noise). It is
