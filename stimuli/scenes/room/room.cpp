@@ -77,7 +77,7 @@ renderer::Lighting lighting(Validity validity) {
         lamp.outer_cone_rad = 1.15F;
         light.point_lights = {lamp};
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.15F, 4.0F};
+        light.tone_mapping = renderer::ToneMapping{1.45F, 4.0F};
     }
     return light;
 }
