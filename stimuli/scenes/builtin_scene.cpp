@@ -8,12 +8,7 @@ namespace obscura::stimuli {
 
 const std::vector<BuiltinScene>& builtin_scenes() {
     static const std::vector<BuiltinScene> list = {
-        make_figures(),
-        make_atrium(),
-        make_relic(),
-        make_machine(),
-        make_room(),
-        make_garden(),
+        make_figures(), make_atrium(), make_relic(), make_machine(), make_room(), make_garden(),
     };
     return list;
 }

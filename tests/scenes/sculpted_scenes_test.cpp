@@ -86,7 +86,8 @@ TEST(Figures, AreSoundClosedDetailedAndTheSameInEveryBuild) {
         if (mesh.name == "ground" || mesh.name == "wall") continue;
         if (mesh.name.starts_with("house ")) continue;
         people.insert(mesh.name.substr(0, mesh.name.find(' ')));
-        EXPECT_TRUE(open_edges(mesh).empty()) << mesh.name;
+        const bool cards = scene.materials[mesh.material].coverage == renderer::Coverage::kCutOut;
+        EXPECT_TRUE(cards || open_edges(mesh).empty()) << mesh.name;
         float lowest = 1.0F;
         for (const renderer::Vertex& vertex : mesh.vertices)
             lowest = std::min(lowest, vertex.position_m.y);

@@ -13,7 +13,7 @@ namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
-constexpr float kCoarser = 1.12F;   ///< than the parts ask for, so that two cores take 2 s
+constexpr float kCoarser = 1.15F;   ///< cells of soft cloth, so that two cores take 2 s
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
@@ -112,6 +112,23 @@ renderer::Mesh eyeball(const Eye& eye) {
     return whole;
 }
 
+renderer::Mesh card_of(const Wisp& wisp) {
+    PatchOptions options;
+    options.columns = 1;
+    options.rows = static_cast<int>(wisp.path_m.size()) - 1;
+    renderer::Mesh card = patch(options, [&](float u, float v) {
+        const float step = v * static_cast<float>(options.rows);
+        const auto i = std::min(static_cast<std::size_t>(step), wisp.path_m.size() - 2);
+        const glm::vec3 at =
+            glm::mix(wisp.path_m[i], wisp.path_m[i + 1], step - static_cast<float>(i));
+        const glm::vec3 along = wisp.path_m[i + 1] - wisp.path_m[i];
+        const glm::vec3 across = glm::normalize(glm::cross(along, wisp.outwards));
+        return at + across * (wisp.width_m * (u - 0.5F));
+    });
+    paint(card, [&](const glm::vec3&, const glm::vec3&) { return wisp.colour; });
+    return card;
+}
+
 }  // namespace
 
 FigurePart& Figure::part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m) {
@@ -126,8 +143,10 @@ FigurePart& Figure::part(const std::string& part_name, Cloth cloth, float cell_m
 void add_to_scene(renderer::Scene& scene, const Figure& figure) {
     const NearField field(figure);
     for (const FigurePart& part : figure.parts) {
+        const bool soft = part.cloth == Cloth::kJacket || part.cloth == Cloth::kShirt ||
+                          part.cloth == Cloth::kTrousers;
         renderer::Mesh mesh = polygonise(
-            part.solid, kCoarser * part.cell_m,
+            part.solid, soft ? kCoarser * part.cell_m : part.cell_m,
             [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
                 const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
                 const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;
@@ -139,6 +158,11 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure) {
         for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= part.texture_m;
         scene.meshes.push_back(std::move(mesh));
     }
+    renderer::Mesh wisps;
+    for (const Wisp& wisp : figure.wisps) append(wisps, card_of(wisp));
+    wisps.name = figure.name + " wisps";
+    wisps.material = static_cast<std::uint32_t>(Cloth::kWisps);
+    scene.meshes.push_back(std::move(wisps));
     renderer::Mesh eyes;
     for (const Eye& eye : figure.eyes) append(eyes, eyeball(eye));
     eyes.name = figure.name + " eyes";

@@ -27,6 +27,7 @@ enum class Cloth : std::uint32_t {
     kLeather,
     kMetal,
     kGround,
+    kWisps,  ///< hairs on cards, cut out
     kCount,
 };
 
@@ -47,10 +48,19 @@ struct Eye {
     glm::vec3 iris{0.2F, 0.12F, 0.06F};
 };
 
+/// A card with a few hairs that lies over the edge of the hair: from its root, v, to its end.
+struct Wisp {
+    std::array<glm::vec3, 5> path_m{};
+    glm::vec3 outwards{0.0F, 0.0F, 1.0F};  ///< unit length, away from the head
+    float width_m = 0.01F;
+    glm::vec3 colour{0.1F};
+};
+
 struct Figure {
     std::string name;
     std::vector<FigurePart> parts;
     std::vector<Eye> eyes;
+    std::vector<Wisp> wisps;
 
     /// What the skin's colour is multiplied by at a place, for blood, beard and shadows under the
     /// eyes; optional.

@@ -43,16 +43,16 @@ renderer::Lighting lighting(Validity validity) {
     renderer::Lighting result;
     renderer::SkyColours sky;
     sky.towards_sun = kTowardsSun;
-    sky.zenith = {0.42F, 0.52F, 0.72F};
-    sky.horizon = {0.85F, 0.84F, 0.80F};
-    sky.ground = {0.34F, 0.30F, 0.25F};
+    sky.zenith = {0.58F, 0.68F, 0.88F};
+    sky.horizon = {1.08F, 1.06F, 1.00F};
+    sky.ground = {0.46F, 0.41F, 0.34F};
     sky.cloud_cover = 0.6F;
     sky.seed = 7;
     result.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky, 512));
     if (validity == Validity::kHigh) {
         result.lights = {{kTowardsSun, glm::vec3(3.6F, 3.3F, 2.8F)}};
         result.normal_mapping = true;
-        result.tone_mapping = renderer::ToneMapping{1.0F, 3.0F};
+        result.tone_mapping = renderer::ToneMapping{0.92F, 3.0F};
     }
     return result;
 }

@@ -53,6 +53,36 @@ Displacement strands(float height_m, std::function<float(const glm::vec3&)> fiel
             height_m};
 }
 
+/// Wisps over the hairline of forehead and temples, where `lean_rad` says how they are combed
+/// aside.
+void add_wisps(Figure& figure, const Sculpture& hair, const Scalp& scalp, float lean_rad,
+               const glm::vec3& colour) {
+    constexpr int kCards = 110;
+    base::Random random(53);
+    for (int i = 0; i < kCards; ++i) {
+        const float turn = 2.5F * ((static_cast<float>(i) + 0.5F) / kCards - 0.5F);
+        // Down over the hair until it ends.
+        float edge = 1.2F;
+        while (edge > -0.2F && hair.distance(scalp.place(turn, edge, 0.002F)) < 0.0F) edge -= 0.02F;
+        Wisp wisp;
+        const float length = static_cast<float>(random.uniform(0.16, 0.34));
+        const float from = edge - static_cast<float>(random.uniform(0.02, 0.14));
+        for (std::size_t k = 0; k < wisp.path_m.size(); ++k) {
+            const float t = static_cast<float>(k) / 4.0F;
+            const float aside = lean_rad * t * t;
+            const glm::vec3 root = scalp.place(turn + aside, from + length * t, 0.003F);
+            wisp.outwards = glm::normalize(root - scalp.local(0.0F, 0.034F, -0.012F));
+            const float above = hair.distance(root);
+            // Out of the skin first, then over the locks.
+            wisp.path_m[k] = above < 0.0F ? root + wisp.outwards * (0.0015F - above)
+                                          : root + 0.001F * wisp.outwards;
+        }
+        wisp.width_m = scalp.scale * static_cast<float>(random.uniform(0.007, 0.013));
+        wisp.colour = colour * static_cast<float>(random.uniform(0.8, 1.25));
+        figure.wisps.push_back(wisp);
+    }
+}
+
 }  // namespace
 
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
@@ -115,6 +145,7 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
                      0.50F, colour * (0.88F + jitter(0.12F)));
         }
     }
+    add_wisps(figure, hair, scalp, 0.10F, colour);
 }
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
@@ -208,6 +239,7 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
         const glm::vec3 q = ((p - at.origin_m) * at.axes) / scale;
         return 900.0F * q.x + 260.0F * q.y;
     }));
+    add_wisps(figure, hair, scalp, 0.0F, colour);
 }
 
 }  // namespace obscura::stimuli::figures

@@ -23,7 +23,7 @@ TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, 
                 const float thread = warp * over + weft * (1.0F - over);
                 const float wear = fbm(uv * 6.0F, 5, 4, {6, 6});
                 Texel texel;
-                texel.albedo = glm::vec3(0.80F + 0.16F * thread + 0.08F * wear);
+                texel.albedo = glm::vec3(0.86F + 0.06F * thread + 0.10F * wear);
                 texel.height_m = depth_m * thread;
                 return texel;
             }};
@@ -66,6 +66,27 @@ TextureRecipe hair() {
             }};
 }
 
+/// Single hairs along v, each beginning and ending at its own place.
+TextureRecipe wisps() {
+    return {"wisps", 128, 128, glm::vec2(0.02F), [](glm::vec2 uv) {
+                Texel texel;
+                texel.opacity = 0.0F;
+                for (int i = 0; i < 7; ++i) {
+                    const auto own = [i](int which) { return hash_unit(i, which, 0, 47); };
+                    const float bend = 0.10F * (own(0) - 0.5F);
+                    const float at = (static_cast<float>(i) + 0.2F + 0.6F * own(1)) / 7.0F +
+                                     bend * std::sin(3.0F * uv.y);
+                    const bool there = uv.y > 0.30F * own(2) && uv.y < 0.80F + 0.20F * own(3);
+                    const float thin = 0.045F * (1.0F - 0.6F * uv.y);
+                    if (!there || std::abs(uv.x - at) > thin) continue;
+                    texel.opacity = 1.0F;
+                    texel.albedo = glm::vec3(0.75F + 0.25F * own(4));
+                }
+                if (texel.opacity == 0.0F) texel.albedo = glm::vec3(0.85F);
+                return texel;
+            }};
+}
+
 /// Worn slabs of stone, dusty in the joints.
 TextureRecipe slabs() {
     return {"slabs", 1024, 1024, glm::vec2(1.6F), [](glm::vec2 uv) {
@@ -104,11 +125,11 @@ void add_materials(renderer::Scene& scene) {
                                .specular_intensity = 0.6F,
                                .specular_power = 120.0F});
     add_material(scene, {.name = "jacket", .specular_intensity = 0.05F, .specular_power = 12.0F},
-                 weave("canvas", 64, 0.10F, 0.0003F, 0.0F));
+                 weave("canvas", 64, 0.10F, 0.00012F, 0.0F));
     add_material(scene, {.name = "shirt", .specular_intensity = 0.03F, .specular_power = 10.0F},
-                 weave("linen", 72, 0.08F, 0.0002F, 0.0F));
+                 weave("linen", 64, 0.08F, 0.00008F, 0.0F));
     add_material(scene, {.name = "trousers", .specular_intensity = 0.03F, .specular_power = 10.0F},
-                 weave("twill", 48, 0.06F, 0.0003F, 1.0F));
+                 weave("twill", 48, 0.06F, 0.00015F, 1.0F));
     add_material(scene, {.name = "leather", .specular_intensity = 0.07F, .specular_power = 14.0F},
                  leather());
     scene.materials.push_back({.name = "metal",
@@ -117,6 +138,13 @@ void add_materials(renderer::Scene& scene) {
                                .specular_power = 60.0F});
     add_material(scene, {.name = "ground", .specular_intensity = 0.03F, .specular_power = 10.0F},
                  slabs());
+    add_material(scene,
+                 {.name = "wisps",
+                  .specular_intensity = 0.04F,
+                  .specular_power = 16.0F,
+                  .double_sided = true,
+                  .coverage = renderer::Coverage::kCutOut},
+                 wisps());
 }
 
 void add_surroundings(renderer::Scene& scene) {

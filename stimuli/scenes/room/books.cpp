@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "stimuli/scenes/room/parts.h"
+#include "stimuli/scenes/support/noise.h"
 
 namespace obscura::stimuli::room {
 
@@ -78,10 +79,14 @@ void put_ornament(Assembly& study, base::Random& random, const glm::mat4& place,
             ball.emplace_back(i == 0 || i == 20 ? 0.0F : 0.075F * std::cos(a),
                               0.075F * std::sin(a));
         }
-        study.put(Surface::kBinding, revolve(ball, 36),
-                  place * moved(0.0F, 0.145F, 0.0F) * about_z(0.4F), 404U,
-                  vec3(0.46F, 0.38F, 0.24F));
-        study.put(Surface::kMetal, ring(0.086F, 0.004F, 40),
+        Mesh globe = revolve(ball, 36);
+        paint(globe, [](const vec3& p, const vec3&) {
+            const float land = glm::smoothstep(0.02F, 0.10F, fbm(p * 22.0F, 81, 3));
+            return glm::mix(vec3(0.16F, 0.26F, 0.30F), vec3(0.50F, 0.38F, 0.20F), land);
+        });
+        study.put(Surface::kBinding, globe, place * moved(0.0F, 0.145F, 0.0F) * about_z(0.4F),
+                  404U);
+        study.put(Surface::kMetal, ring(0.083F, 0.0025F, 40),
                   place * moved(0.0F, 0.145F, 0.0F) * lie_along_z(), 405U,
                   vec3(0.9F, 0.72F, 0.45F));
         const std::array<vec2, 5> foot{

@@ -70,14 +70,15 @@ renderer::Lighting lighting(Validity validity) {
         light.lights = {
             {glm::normalize(vec3(-0.80F, 0.60F, 0.20F)), vec3(1.0F, 0.90F, 0.74F) * 7.5F}};
         renderer::PointLight lamp;
-        lamp.position_m = room::lamp_bulb_m() + 0.02F * room::lamp_axis();
-        lamp.intensity = vec3(1.0F, 0.74F, 0.44F) * 2.6F;
+        // Just below the bulb, whose own mesh would shade it.
+        lamp.position_m = room::lamp_bulb_m() + 0.045F * room::lamp_axis();
+        lamp.intensity = vec3(1.0F, 0.74F, 0.44F) * 0.9F;
         lamp.direction = room::lamp_axis();
         lamp.inner_cone_rad = 0.65F;
         lamp.outer_cone_rad = 1.15F;
         light.point_lights = {lamp};
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.15F, 4.0F};
+        light.tone_mapping = renderer::ToneMapping{1.45F, 4.0F};
     }
     return light;
 }

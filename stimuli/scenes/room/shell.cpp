@@ -80,10 +80,9 @@ void put_window(Assembly& study) {
         bar({0.03F, 0.024F, leaf}, {x + 0.075F, middle_y + 0.12F, leaf_z}, 24U);
         bar({0.03F, high - 0.1F, 0.024F}, {x + 0.075F, middle_y, leaf_z}, 25U);
     }
-    bar({0.034F, 0.036F, width + 0.22F}, {kLeft + 0.17F, kSill - 0.02F, middle_z}, 26U);
-    bar({0.17F + kReveal - 0.12F, 0.034F, width - 0.002F},
-        {kLeft + 0.015F, kSill - 0.012F, middle_z}, 27U);
-    bar({0.17F, 0.034F, width + 0.22F}, {kLeft + 0.085F, kSill - 0.020F, middle_z}, 27U);
+    bar({0.034F, 0.036F, width + 0.22F}, {kLeft + 0.07F, kSill - 0.02F, middle_z}, 26U);
+    bar({kReveal - 0.05F, 0.034F, width - 0.002F}, {kLeft - 0.035F, kSill - 0.012F, middle_z}, 27U);
+    bar({0.07F, 0.034F, width + 0.22F}, {kLeft + 0.035F, kSill - 0.020F, middle_z}, 27U);
     // An architrave round it.
     for (const float side : {-1.0F, 1.0F}) {
         bar({0.022F, high + 0.16F, 0.09F},

@@ -103,8 +103,8 @@ BakedTextures bake(const TextureRecipe& recipe) {
             for (int c = 0; c < 3; ++c)
                 baked.albedo.rgba[4 * i + static_cast<std::size_t>(c)] =
                     encode_srgb(texel.albedo[c]);
-            baked.albedo.rgba[4 * i + 3] = static_cast<std::uint8_t>(
-                std::clamp(texel.opacity, 0.0F, 1.0F) * 255.0F + 0.5F);
+            baked.albedo.rgba[4 * i + 3] =
+                static_cast<std::uint8_t>(std::clamp(texel.opacity, 0.0F, 1.0F) * 255.0F + 0.5F);
         }
     });
     const glm::vec2 two_texels_m =
