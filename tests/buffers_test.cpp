@@ -56,9 +56,15 @@ Study study_of_blocks() {
     study.height = 54;
     study.scenes = {{"low", "block", "forward", Validity::kLow},
                     {"high", "block", "forward", Validity::kHigh}};
-    Condition first{"I", "low", "H2", {}, {}};
+    Condition first;
+    first.id = "I";
+    first.scene = "low";
+    first.hypothesis = "H2";
     first.b = {"blizzard", 24, {}, "separable"};
-    Condition second{"II", "high", "H1", {}, {}};
+    Condition second;
+    second.id = "II";
+    second.scene = "high";
+    second.hypothesis = "H1";
     second.b = {"raymarch", 30, {}, "separable"};
     study.conditions = {first, second};
     return study;

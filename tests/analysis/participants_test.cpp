@@ -96,7 +96,7 @@ TEST(Exclusions, RefusesARuleThatIsNone) {
 
 TEST(ResponseTimes, AreOneForEachParticipant) {
     const Analysis analysis = analysed(attentive_and_not(""));
-    const TimeSummary& all = analysis.response_times->overall;
+    const ResponseTimeSummary& all = analysis.response_times->overall;
     EXPECT_EQ(all.seconds.n, 20);
     EXPECT_NEAR(all.seconds.median, 1.55, 1e-12);  // of four times .1, then 1.0, 1.1 ... 2.5
     ASSERT_TRUE(all.median_interval.has_value());
