@@ -17,7 +17,8 @@ using renderer::Target;
 /// The targets that may differ within a pair: what follows from accessibility.
 bool follows_from_accessibility(Target target) {
     return target == Target::kAccessibility || target == Target::kDenoiseStep ||
-           target == Target::kDenoised || target == Target::kHdr || target == Target::kDisplay;
+           target == Target::kDenoised || target == Target::kHdr || target == Target::kDisplay ||
+           target == Target::kResolved;
 }
 
 /// What the composite multiplied the ambient light by; 1 everywhere without a technique.
@@ -29,11 +30,11 @@ std::vector<float> accessibility_of(const Frame& frame) {
                               1.0F);
 }
 
-/// The thesis's study, at a quarter of its size so that it is quick.
+/// The thesis's study, at a quarter of its width so that it is quick.
 Study small_study() {
     Study study = load_study("jakobsen2010");
-    study.width = 640;
-    study.height = 360;
+    study.width = 320;
+    study.height = 180;
     return study;
 }
 
@@ -55,8 +56,9 @@ void expect_equal_pixels_where_equally_open(const Frame& a, const Frame& b,
                                             const std::string& pair) {
     const std::vector<float> open_a = accessibility_of(a);
     const std::vector<float> open_b = accessibility_of(b);
-    const std::vector<std::uint8_t> image_a = a.read_display();
-    const std::vector<std::uint8_t> image_b = b.read_display();
+    // Of each sample, before those of a pixel are averaged.
+    const std::vector<float> image_a = a.read_components(Target::kDisplay, 3);
+    const std::vector<float> image_b = b.read_components(Target::kDisplay, 3);
     std::size_t equal = 0;
     std::size_t differing = 0;
     for (std::size_t i = 0; i < open_a.size(); ++i) {

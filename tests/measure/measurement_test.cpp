@@ -84,8 +84,24 @@ TEST(FinalImageErrors, AreZeroForEqualImagesAndOneForBlackAgainstWhite) {
     const FinalImageError most = final_image_error(black, white, 16, 16);
     EXPECT_DOUBLE_EQ(most.rmse, 1.0);
     EXPECT_DOUBLE_EQ(most.max, 1.0);
-    EXPECT_GT(most.yee_failed, 0.9);
     EXPECT_THROW((void)final_image_error(black, white, 16, 15), base::Error);
+}
+
+TEST(FinalImageErrors, ThePerceptualMetricSeesAnInvertedPictureAndNotOneCodeValue) {
+    // The metric weighs differences by the contrast around them, so the picture needs some.
+    constexpr int kSide = 64;
+    base::Random random(5);
+    std::vector<std::uint8_t> picture;
+    std::vector<std::uint8_t> inverted;
+    std::vector<std::uint8_t> nearly;
+    for (int i = 0; i < 3 * kSide * kSide; ++i) {
+        const auto code = static_cast<std::uint8_t>(random.uniform(40.0, 215.0));
+        picture.push_back(code);
+        inverted.push_back(static_cast<std::uint8_t>(255 - code));
+        nearly.push_back(static_cast<std::uint8_t>(code + i % 2));
+    }
+    EXPECT_GT(final_image_error(picture, inverted, kSide, kSide).yee_failed, 0.1);
+    EXPECT_EQ(final_image_error(picture, nearly, kSide, kSide).yee_failed, 0.0);
 }
 
 TEST(Quantiles, InterpolateBetweenOrderStatistics) {
