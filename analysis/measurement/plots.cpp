@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "analysis/measurement/pareto.h"
@@ -102,9 +103,8 @@ class ErrorOverTime {
             }
         }
         for (std::size_t i = 0; i < techniques.size(); ++i) {
-            const char* colour = kColours[i % kColours.size()];
-            add_line(techniques[i], false, colour);
-            add_line(techniques[i], true, colour);
+            add_line(techniques[i], false, i);
+            add_line(techniques[i], true, i);
         }
         add_front();
         add_rings();
@@ -115,10 +115,8 @@ class ErrorOverTime {
             "set logscale xy\nset xlabel \"median time of accessibility and filter (ms)\"\n"
             "set ylabel \"RMSE against the ray-traced truth (accessibility, 0 to 1)\"\n"
             "set key outside right top\nset grid xtics ytics lc rgb \"#dddddd\"\n"
-            "set format y \"%g\"\nset format x \"%g\"\nset offsets graph 0.05, graph 0.1, graph "
-            "0.1, graph 0.05\n"
-            "plot {}\n",
-            fmt::join(curves_, ", \\\n     "));
+            "set format y \"%g\"\nset format x \"%g\"\n{}plot {}\n",
+            ranges(), fmt::join(curves_, ", \\\n     "));
         plot.data.push_back({file_, blocks_.take()});
         return plot;
     }
@@ -132,12 +130,31 @@ class ErrorOverTime {
                                       title.empty() ? "notitle" : "title " + quoted(title)));
     }
 
-    void add_line(const std::string& technique, bool fitted, const char* colour) {
+    /// Techniques differ in colour and shape, filled as published, open when fitted.
+    void add_line(const std::string& technique, bool fitted, std::size_t index) {
+        constexpr std::array kFilled{7, 5, 9, 11, 13};  // gnuplot's circle, square, triangles ...
         const std::vector<Point> points = points_of(rows_, technique, blur_, fitted);
+        const int shape = kFilled[index % kFilled.size()] - (fitted ? 1 : 0);
         add_curve(technique + (fitted ? "_fitted" : "_published"), lines_of(points),
-                  fmt::format("using 1:2 with linespoints lc rgb \"{}\" lw 2 pt {} ps 0.6 dt {}",
-                              colour, fitted ? 6 : 7, fitted ? 2 : 1),
+                  fmt::format("using 1:2 with linespoints lc rgb \"{}\" lw 2 pt {} ps 0.8 dt {}",
+                              kColours[index % kColours.size()], shape, fitted ? 2 : 1),
                   technique + (fitted ? ", fitted" : ""));
+    }
+
+    /// Limits of both axes around what is drawn and the line of 8-bit rounding; errors end at 1.
+    [[nodiscard]] std::string ranges() const {
+        double cheapest = std::numeric_limits<double>::infinity();
+        double dearest = 0.0;
+        double smallest = eight_bit_rmse();
+        for (const MeasurementRow& row : rows_) {
+            if (!row.error.has_value() || !(row.cost.median_ms > 0.0)) continue;
+            cheapest = std::min(cheapest, row.cost.median_ms);
+            dearest = std::max(dearest, row.cost.median_ms);
+            if (row.error->rmse > 0.0) smallest = std::min(smallest, row.error->rmse);
+        }
+        if (dearest == 0.0) return "";
+        return fmt::format("set xrange [{}:{}]\nset yrange [{}:1]\n", shortest(cheapest / 1.6),
+                           shortest(dearest * 1.6), shortest(smallest / 1.6));
     }
 
     void add_front() {

@@ -102,7 +102,7 @@ std::vector<analysis::Growth> measure_growth(Stage& stage, const MeasureRequest&
                 const Point& point = points[i][k];
                 const renderer::Frame frame =
                     stage.render_plainly(view, point.choice, point.width, point.height);
-                if (run >= kDiscardedRuns) times[i][k].add(frame, timers.use_queries);
+                if (run >= kDiscardedRuns) times[i][k].add(frame.times, timers.use_queries);
                 step(fmt::format("{} {}", growths[i].technique, growths[i].quantity));
             }
         }
@@ -110,7 +110,7 @@ std::vector<analysis::Growth> measure_growth(Stage& stage, const MeasureRequest&
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t k = 0; k < points[i].size(); ++k) {
             analysis::MeasurementRow row;
-            times[i][k].put(row);
+            times[i][k].put(row, {});
             growths[i].x.push_back(points[i][k].x);
             growths[i].ms.push_back(row.accessibility.median_ms);
         }

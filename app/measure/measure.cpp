@@ -92,12 +92,14 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
                     "geometric normal, within the radius that the study gives the technique (for a "
                     "technique without one, the radius that the others have on that scene).",
                     request.width, request.height, request.rays),
-        fmt::format("Each setting is rendered {} times, in turn with all others; the first {} are "
-                    "thrown away. Times are of {}. They are of the accessibility pass and the "
-                    "filter; frame times are of every pass.",
-                    kDiscardedRuns + request.runs, kDiscardedRuns,
-                    timers.use_queries ? "the driver's timestamp queries"
-                                       : "glFinish and a monotonic clock"),
+        fmt::format(
+            "The accessibility pass and the filter of each setting are run {} times, in turn "
+            "with all other settings of the view; the first {} are thrown away. The other "
+            "passes of a frame are timed {} times for each plan, and frame times are the "
+            "sum. Times are of {}.",
+            kDiscardedRuns + request.runs, kDiscardedRuns, request.runs,
+            timers.use_queries ? "the driver's timestamp queries"
+                               : "glFinish and a monotonic clock"),
         "Errors are of linear accessibility (1 = open) before any display curve, over the pixels "
         "that show a surface; empty pixels are 1 in both and do not count. The interior error "
         "leaves out a tenth of the image at each side.",
@@ -157,9 +159,10 @@ void add_maps(std::vector<analysis::ErrorMap>& maps, std::vector<analysis::Error
     }
 }
 
-/// Of a view whose camera was measured in other light before, only what the study shows and how
-/// each technique is published: light changes neither accessibility nor its time.
-std::vector<Setting> only_shown(const View& view, const stimuli::Study& study,
+/// Of a view whose camera was measured in other light before, only what the study shows and, unless
+/// it is to be quick, how each technique is published: light changes neither accessibility nor its
+/// time.
+std::vector<Setting> only_shown(const View& view, const stimuli::Study& study, bool quick,
                                 const std::vector<Setting>& all) {
     std::vector<Setting> shown;
     for (const Setting& setting : all) {
@@ -169,7 +172,7 @@ std::vector<Setting> only_shown(const View& view, const stimuli::Study& study,
                    choice.samples == setting.choice.samples &&
                    choice.denoise == setting.choice.denoise;
         };
-        bool wanted = same(published);
+        bool wanted = !quick && same(published);
         for (const ShownSetting& by_study : view.shown) wanted |= same(by_study.choice);
         if (wanted && setting.choice.depth_format == "r32f") shown.push_back(setting);
     }
@@ -187,7 +190,7 @@ void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study
         const bool seen = std::any_of(views.begin(), view, [&](const View& before) {
             return before.scene == view->scene && before.camera == view->camera;
         });
-        if (seen) settings.back() = only_shown(*view, study, settings.back());
+        if (seen) settings.back() = only_shown(*view, study, request.quick, settings.back());
         count += settings.back().size();
     }
     base::Progress progress(

@@ -50,6 +50,13 @@ renderer::Frame Stage::render(const View& view, const renderer::TechniqueChoice&
         renderer::plan_frame(renderer::needs_of(scene_, lighting), choice, width, height));
 }
 
+std::vector<renderer::PassTime> Stage::render_again(const View& view, renderer::Frame& frame,
+                                                    const renderer::TechniqueChoice& choice) {
+    load(view);
+    return renderer_.render_accessibility_again(frame, *gpu_, lighting_of(view), camera_of(view),
+                                                choice);
+}
+
 renderer::Frame Stage::render_plainly(const View& view, const renderer::TechniqueChoice& choice,
                                       int width, int height) {
     load(view);

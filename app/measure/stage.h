@@ -24,7 +24,11 @@ class Stage {
     [[nodiscard]] renderer::Frame render(const View& view, const renderer::TechniqueChoice& choice,
                                          int width, int height);
 
-    /// The same without environment and lights, for what looks at accessibility alone.
+    /// Accessibility and filter of another choice with the same plan, once more on those buffers.
+    std::vector<renderer::PassTime> render_again(const View& view, renderer::Frame& frame,
+                                                 const renderer::TechniqueChoice& choice);
+
+    /// The same as render() without environment and lights, for what looks at accessibility alone.
     [[nodiscard]] renderer::Frame render_plainly(const View& view,
                                                  const renderer::TechniqueChoice& choice, int width,
                                                  int height);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
@@ -106,6 +107,24 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     return map;
 }
 
+/// The buffers of a plan, which any setting with that plan can be run on.
+struct PlanFrame {
+    TechniqueChoice choice;  ///< the first one with this plan
+    Frame frame;
+    std::vector<double> others_ms;  ///< of the passes beside accessibility and filter, run by run
+};
+using PlanFrames = std::map<std::string, PlanFrame>;
+
+/// Equal for plans with the same passes and buffers.
+std::string key_of(const renderer::FramePlan& plan) {
+    std::string key;
+    for (const renderer::PlannedPass& pass : plan.passes) key += to_string(pass.pass) + ' ';
+    for (const renderer::PlannedTarget& target : plan.targets) {
+        key += to_string(target.target) + ' ' + target.format + ' ';
+    }
+    return key;
+}
+
 }  // namespace
 
 std::vector<float> final_accessibility(const Frame& frame) {
@@ -142,25 +161,41 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
         swept.rows.push_back(describe(view, setting, request.width, request.height));
         swept.rows.back().timer = timers.timer();
     }
-    std::vector<RunTimes> times(settings.size());
-    for (int run = 0; run < kDiscardedRuns + request.runs; ++run) {
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            const double radius_m = settings[i].truth_radius_m;
-            const Frame frame =
-                stage.render(view, settings[i].choice, request.width, request.height);
-            if (run >= kDiscardedRuns) times[i].add(frame, timers.use_queries);
-            if (run == 0) {
-                analysis::ErrorMap map = compare(
-                    swept.rows[i], frame,
+    PlanFrames frames;
+    std::vector<std::string> plans;
+    const auto step_of = [&](const Setting& setting) {
+        step(fmt::format("{} {} {}", view.scene->id, view.camera, setting.choice.variant_name()));
+    };
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const double radius_m = settings[i].truth_radius_m;
+        Frame frame = stage.render(view, settings[i].choice, request.width, request.height);
+        analysis::ErrorMap map =
+            compare(swept.rows[i], frame,
                     stage.truth(view, radius_m, request.width, request.height, request.rays),
                     true_images.at(radius_m));
-                if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
-            }
-            step(fmt::format("{} {} {}", view.scene->id, view.camera,
-                             settings[i].choice.variant_name()));
+        if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
+        plans.push_back(key_of(frame.plan()));
+        frames.try_emplace(plans.back(), PlanFrame{settings[i].choice, std::move(frame), {}});
+        step_of(settings[i]);
+    }
+    for (int run = 0; run < request.runs; ++run) {
+        for (auto& [key, of_plan] : frames) {
+            of_plan.frame = stage.render(view, of_plan.choice, request.width, request.height);
+            of_plan.others_ms.push_back(others_ms(of_plan.frame, timers.use_queries));
         }
     }
-    for (std::size_t i = 0; i < settings.size(); ++i) times[i].put(swept.rows[i]);
+    std::vector<RunTimes> times(settings.size());
+    for (int run = 1; run < kDiscardedRuns + request.runs; ++run) {
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            const auto passes =
+                stage.render_again(view, frames.at(plans[i]).frame, settings[i].choice);
+            if (run >= kDiscardedRuns) times[i].add(passes, timers.use_queries);
+            step_of(settings[i]);
+        }
+    }
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        times[i].put(swept.rows[i], frames.at(plans[i]).others_ms);
+    }
     return swept;
 }
 

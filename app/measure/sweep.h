@@ -25,9 +25,11 @@ struct SweptView {
     std::vector<analysis::ErrorMap> maps;        ///< of the settings that the study shows
 };
 
-/// Renders every setting kDiscardedRuns + runs times, one after the other and then all again (A B A
-/// B), times the later runs, and compares the first image's accessibility with the truth: surfaces
-/// only, because empty pixels are 1 in both. `step` is called after each image.
+/// Renders every setting, compares its accessibility with the truth (surfaces only, because empty
+/// pixels are 1 in both), and then runs its accessibility pass and filter again, one setting after
+/// the other and then all again (A B A B): kDiscardedRuns in all are thrown away, request.runs are
+/// timed. The other passes of a frame, which settings with the same plan share, are timed as often
+/// for each plan. `step` is called after each image or repetition.
 [[nodiscard]] SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
                               const std::vector<Setting>& settings, const TimerCheck& timers,
                               const std::function<void(const std::string&)>& step);

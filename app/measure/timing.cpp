@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/gl/context.h"
@@ -55,28 +56,40 @@ TimerCheck check_timers(Stage& stage, const View& view, const renderer::Techniqu
     return judge_timers(clock_ms, query_ms, renderer::is_software_renderer());
 }
 
-void RunTimes::add(const renderer::Frame& frame, bool use_queries) {
+void RunTimes::add(const std::vector<renderer::PassTime>& passes, bool use_queries) {
     double accessibility = 0.0;
     double denoise = 0.0;
-    double whole = 0.0;
-    for (const renderer::PassTime& time : frame.times) {
+    for (const renderer::PassTime& time : passes) {
         const double spent_ms = use_queries ? time.query_milliseconds : time.milliseconds;
-        whole += spent_ms;
         if (time.pass == renderer::Pass::kAccessibility) accessibility += spent_ms;
         if (time.pass == renderer::Pass::kDenoise) denoise += spent_ms;
     }
     accessibility_ms_.push_back(accessibility);
     denoise_ms_.push_back(denoise);
     both_ms_.push_back(accessibility + denoise);
-    frame_ms_.push_back(whole);
 }
 
-void RunTimes::put(analysis::MeasurementRow& row) const {
+void RunTimes::put(analysis::MeasurementRow& row, const std::vector<double>& others_ms) const {
+    std::vector<double> frame_ms;
+    for (std::size_t i = 0; i < std::min(both_ms_.size(), others_ms.size()); ++i) {
+        frame_ms.push_back(both_ms_[i] + others_ms[i]);
+    }
     row.accessibility = analysis::summary_of(accessibility_ms_);
     row.denoise = analysis::summary_of(denoise_ms_);
     row.cost = analysis::summary_of(both_ms_);
-    row.frame = analysis::summary_of(frame_ms_);
+    row.frame = analysis::summary_of(frame_ms);
     row.runs = static_cast<int>(both_ms_.size());
+}
+
+double others_ms(const renderer::Frame& frame, bool use_queries) {
+    double sum_ms = 0.0;
+    for (const renderer::PassTime& time : frame.times) {
+        if (time.pass == renderer::Pass::kAccessibility || time.pass == renderer::Pass::kDenoise) {
+            continue;
+        }
+        sum_ms += use_queries ? time.query_milliseconds : time.milliseconds;
+    }
+    return sum_ms;
 }
 
 }  // namespace obscura::app

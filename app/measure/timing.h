@@ -35,15 +35,19 @@ inline constexpr double kTimerTolerance = 0.1;
 /// The times of several runs of one setting.
 class RunTimes {
   public:
-    void add(const renderer::Frame& frame, bool use_queries);
-    /// Writes the summaries into the row.
-    void put(analysis::MeasurementRow& row) const;
+    /// One run's accessibility pass and filter; what else is among the passes is not counted.
+    void add(const std::vector<renderer::PassTime>& passes, bool use_queries);
+    /// Writes the summaries into the row. `others_ms`: the frame's other passes, run by run; the
+    /// whole frame is their sum with the setting's own.
+    void put(analysis::MeasurementRow& row, const std::vector<double>& others_ms) const;
 
   private:
     std::vector<double> accessibility_ms_;
     std::vector<double> denoise_ms_;
     std::vector<double> both_ms_;
-    std::vector<double> frame_ms_;
 };
+
+/// Milliseconds of all passes but accessibility and its filter.
+[[nodiscard]] double others_ms(const renderer::Frame& frame, bool use_queries);
 
 }  // namespace obscura::app

@@ -119,12 +119,7 @@ void Renderer::full_screen(gl::Program& program, GLenum test) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
-                       const TechniqueChoice& choice, const FramePlan& plan,
-                       const TracedAccessibility& traced) {
-    Frame frame(plan);
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
-            frame, camera,   traced};
+std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Pass)>& wanted) {
     using Run = void (Renderer::*)(Job&);
     static const std::map<Pass, Run> kRuns = {
         {Pass::kGeometry, &Renderer::run_geometry},
@@ -139,10 +134,12 @@ Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Ca
         {Pass::kToneMap, &Renderer::run_tone_map},
         {Pass::kResolve, &Renderer::run_resolve},
     };
+    std::vector<PassTime> times;
     set_known_state();
     glFinish();
-    gl::TimestampQueries timestamps(2 * plan.passes.size());
-    for (const PlannedPass& planned : plan.passes) {
+    gl::TimestampQueries timestamps(2 * job.plan.passes.size());
+    for (const PlannedPass& planned : job.plan.passes) {
+        if (!wanted(planned.pass)) continue;
         timestamps.mark();
         const auto start = std::chrono::steady_clock::now();
         (this->*kRuns.at(planned.pass))(job);
@@ -150,17 +147,39 @@ Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Ca
         glFinish();
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;
-        frame.times.push_back({planned.pass, spent.count(), 0.0});
+        times.push_back({planned.pass, spent.count(), 0.0});
     }
-    for (std::size_t i = 0; i < frame.times.size(); ++i) {
-        frame.times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glUseProgram(0);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw base::failure("rendering failed: OpenGL error 0x{:x}", error);
     }
+    return times;
+}
+
+Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
+                       const TechniqueChoice& choice, const FramePlan& plan,
+                       const TracedAccessibility& traced) {
+    Frame frame(plan);
+    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
+            frame, camera,   traced};
+    frame.times = run(job, [](Pass) { return true; });
     return frame;
+}
+
+std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const GpuScene& scene,
+                                                           const Lighting& lighting,
+                                                           const Camera& camera,
+                                                           const TechniqueChoice& choice) {
+    const FramePlan& plan = frame.plan();
+    const TracedAccessibility none;
+    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
+            frame, camera,   none};
+    return run(job,
+               [](Pass pass) { return pass == Pass::kAccessibility || pass == Pass::kDenoise; });
 }
 
 }  // namespace obscura::renderer

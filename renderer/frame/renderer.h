@@ -35,8 +35,16 @@ class Renderer {
                                const Camera& camera, const TechniqueChoice& choice,
                                const FramePlan& plan, const TracedAccessibility& traced = {});
 
+    /// Runs accessibility and its filter once more on the buffers of a frame that was rendered of
+    /// the same scene, light and camera, for a choice with the same plan, and gives their times.
+    std::vector<PassTime> render_accessibility_again(Frame& frame, const GpuScene& scene,
+                                                     const Lighting& lighting, const Camera& camera,
+                                                     const TechniqueChoice& choice);
+
   private:
     struct Job;
+    /// Runs and times each of the plan's passes that `wanted` holds.
+    std::vector<PassTime> run(Job& job, const std::function<bool(Pass)>& wanted);
     using Defines = std::vector<std::string>;
 
     gl::Program& program(const std::string& vertex, const std::string& fragment,
