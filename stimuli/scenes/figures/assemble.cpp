@@ -13,7 +13,9 @@ namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
-constexpr float kCoarser = 1.15F;   ///< cells of soft cloth, so that two cores take 2 s
+// Cells are this much larger than a part asks for, so that two cores take 2 s.
+constexpr float kCoarserCloth = 1.5F;  ///< soft cloth, which has no edges
+constexpr float kCoarser = 1.2F;       ///< everything else but skin
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
@@ -145,8 +147,9 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure) {
     for (const FigurePart& part : figure.parts) {
         const bool soft = part.cloth == Cloth::kJacket || part.cloth == Cloth::kShirt ||
                           part.cloth == Cloth::kTrousers;
+        const float coarser = soft ? kCoarserCloth : part.cloth == Cloth::kSkin ? 1.0F : kCoarser;
         renderer::Mesh mesh = polygonise(
-            part.solid, soft ? kCoarser * part.cell_m : part.cell_m,
+            part.solid, coarser * part.cell_m,
             [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
                 const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
                 const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;
