@@ -8,14 +8,15 @@
 
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/support/mesh_builder.h"
+#include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
 // Cells are this much larger than a part asks for, so that two cores take 2 s.
-constexpr float kCoarserCloth = 1.5F;  ///< soft cloth, which has no edges
-constexpr float kCoarser = 1.2F;       ///< everything else but skin
+constexpr float kCoarserCloth = 1.7F;  ///< soft cloth, which has no edges
+constexpr float kCoarser = 1.35F;      ///< everything else but skin
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
@@ -27,11 +28,12 @@ class NearField {
         low_ = bounds.low - kReach_m;
         size_ = glm::ivec3((bounds.high - bounds.low + 2.0F * kReach_m) / kCell_m) + 1;
         cells_.resize(static_cast<std::size_t>(size_.x * size_.y * size_.z));
-        for (int z = 0; z < size_.z; ++z) {
+        owners_.resize(static_cast<std::size_t>(size_.z));
+        for_each_row(size_.z, [this](int z) {
             for (int y = 0; y < size_.y; ++y) {
                 for (int x = 0; x < size_.x; ++x) fill({x, y, z});
             }
-        }
+        });
     }
 
     [[nodiscard]] float distance(const glm::vec3& p) const {
@@ -55,7 +57,8 @@ class NearField {
         const glm::vec3 centre = low_ + (glm::vec3(cell) + 0.5F) * kCell_m;
         for (const FigurePart& part : figure_.parts) {
             auto near = part.solid.near(centre, 0.9F * kCell_m + kReach_m, part.solid.parts());
-            part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near, owners_);
+            part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near,
+                                owners_[static_cast<std::size_t>(cell.z)]);
             if (!near.empty()) cells_[index(cell)].emplace_back(&part.solid, std::move(near));
         }
     }
@@ -64,7 +67,7 @@ class NearField {
     glm::vec3 low_{0.0F};
     glm::ivec3 size_{0};
     std::vector<std::vector<Near>> cells_;
-    std::vector<ShapePtr> owners_;
+    std::vector<std::vector<ShapePtr>> owners_;  ///< by z
 };
 
 /// How much of the space just above the surface is taken, [0, 1]: where the field grows slower
