@@ -15,8 +15,8 @@ namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
 // Cells are this much larger than a part asks for, so that two cores take 2 s.
-constexpr float kCoarserCloth = 1.7F;  ///< soft cloth, which has no edges
-constexpr float kCoarser = 1.35F;      ///< everything else but skin
+constexpr float kCoarserCloth = 1.4F;  ///< soft cloth, which has no edges
+constexpr float kCoarser = 1.1F;       ///< everything else but skin
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
