@@ -11,8 +11,8 @@
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
-#include "app/kiosk/machine.h"
 #include "app/commands/report_input.h"
+#include "app/kiosk/machine.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"
 #include "app/kiosk/store_lock.h"
@@ -143,9 +143,8 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     spdlog::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
-    const std::string report =
-        analyse(study, exported_study(stimuli::study_source(options.study), study, images), out,
-                file);
+    const std::string report = analyse(
+        study, exported_study(stimuli::study_source(options.study), study, images), out, file);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"

@@ -26,13 +26,12 @@ std::string key_of(const ReferenceScene& scene, const Camera& camera, int width,
     const glm::vec3& p = camera.position_m;
     const glm::vec3& t = camera.target_m;
     const glm::vec3& u = camera.up;
-    return base::sha256_hex(
-        fmt::format("{} {} | {} {} {} {} {} {} {} {} {} {} {} {} {} {} | {}x{} | {} {} {} {} {}",
-                    kTraceVersion, scene.geometry_sha256(), p.x, p.y, p.z, t.x, t.y, t.z, u.x, u.y,
-                    u.z, camera.vertical_fov_rad, camera.near_m, camera.far_m, camera.lens_shift.x,
-                    camera.lens_shift.y, width, height,
-                    options.radius_m, options.rays, options.seed, static_cast<int>(options.falloff),
-                    static_cast<int>(options.normal)));
+    return base::sha256_hex(fmt::format(
+        "{} {} | {} {} {} {} {} {} {} {} {} {} {} {} {} {} | {}x{} | {} {} {} {} {}", kTraceVersion,
+        scene.geometry_sha256(), p.x, p.y, p.z, t.x, t.y, t.z, u.x, u.y, u.z,
+        camera.vertical_fov_rad, camera.near_m, camera.far_m, camera.lens_shift.x,
+        camera.lens_shift.y, width, height, options.radius_m, options.rays, options.seed,
+        static_cast<int>(options.falloff), static_cast<int>(options.normal)));
 }
 
 /// Of the pixels and what they are of, so that no other image is taken for this one.

@@ -14,9 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     import_detail::FilesRead files("/nowhere");
     import_detail::Notes notes;
     try {
-        ImportedScene imported =
-            import_detail::import_gltf(std::string(reinterpret_cast<const char*>(data), size),
-                                       "fuzz", {}, files, notes);
+        ImportedScene imported = import_detail::import_gltf(
+            std::string(reinterpret_cast<const char*>(data), size), "fuzz", {}, files, notes);
         import_detail::finish_import(imported, "fuzz", notes);
         for (const Mesh& mesh : imported.scene.meshes) {
             if (mesh.material >= imported.scene.materials.size()) std::abort();
