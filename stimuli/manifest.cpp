@@ -56,6 +56,8 @@ Json to_json(const ManifestImage& image) {
             {"width", image.width},
             {"height", image.height},
             {"supersampling", image.supersampling},
+            {"occluding_opacity",
+             image.occluding_opacity ? Json(*image.occluding_opacity) : Json(nullptr)},
             {"tone_mapping", to_json(image.tone_mapping)},
             {"passes", image.passes},
             {"milliseconds", image.milliseconds},
@@ -83,7 +85,9 @@ ManifestImage image_from(const Json& json) {
     json.at("denoise").get_to(image.denoise);
     json.at("width").get_to(image.width);
     json.at("height").get_to(image.height);
-    image.supersampling = json.value("supersampling", 1);  // older manifests have neither
+    image.supersampling = json.value("supersampling", 1);  // older manifests have none of these
+    const Json occluding = json.value("occluding_opacity", Json());
+    if (!occluding.is_null()) image.occluding_opacity = occluding.get<float>();
     image.tone_mapping = tone_mapping_from(json.value("tone_mapping", Json()));
     json.at("passes").get_to(image.passes);
     json.at("milliseconds").get_to(image.milliseconds);
@@ -183,6 +187,7 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
            image.validity == to_string(scene.validity) &&
            image.settings == to_json(scene.settings) && image.width == study.width &&
            image.height == study.height && image.supersampling == study.supersampling &&
+           image.occluding_opacity == study.occluding_opacity &&
            same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct ManifestImage {
     int width = 0;
     int height = 0;
     int supersampling = 1;
+    std::optional<float> occluding_opacity;  ///< nothing: no blended surface occludes
     ManifestToneMapping tone_mapping;
     std::vector<std::string> passes;
     double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included

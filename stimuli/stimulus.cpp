@@ -120,21 +120,26 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
-    return render(stimulus, {.supersampling = study_.supersampling});
+    return render(stimulus, {.supersampling = study_.supersampling,
+                             .occluding_opacity = study_.occluding_opacity});
 }
 
 renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
-    const renderer::FramePlan plan = renderer::plan_frame(
-        renderer::needs_of_everything(*loaded_.opened.scene, lighting), stimulus.choice(),
-        study_.width, study_.height, {.supersampling = study_.supersampling, .all_buffers = true});
+    const renderer::FramePlan plan =
+        renderer::plan_frame(renderer::needs_of_everything(*loaded_.opened.scene, lighting),
+                             stimulus.choice(), study_.width, study_.height,
+                             {.supersampling = study_.supersampling,
+                              .occluding_opacity = study_.occluding_opacity,
+                              .all_buffers = true});
     return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
-    const renderer::Frame frame = render(stimulus, {.all_buffers = true});
+    const renderer::Frame frame =
+        render(stimulus, {.occluding_opacity = study_.occluding_opacity, .all_buffers = true});
     renderer::FloatImage image = buffers_of(frame, view.lighting);
     const auto matrices = renderer::matrices_of(view.camera, study_.width, study_.height);
     image.matrices["obscura:view"] = column_major(matrices.view_from_world);
@@ -174,6 +179,7 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.width = study_.width;
     image.height = study_.height;
     image.supersampling = study_.supersampling;
+    image.occluding_opacity = study_.occluding_opacity;
     image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
     for (const renderer::PassTime& time : frame.times) {
         image.passes.push_back(renderer::to_string(time.pass));
@@ -200,7 +206,8 @@ std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
                          {"denoise", choice.denoise},
                          {"width", study_.width},
                          {"height", study_.height},
-                         {"supersampling", study_.supersampling}};
+                         {"supersampling", study_.supersampling},
+                         {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
     return base::sha256_hex(inputs.dump());
 }
 

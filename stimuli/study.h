@@ -69,6 +69,8 @@ struct Study {
     int width = 1280;
     int height = 720;
     int supersampling = 1;  ///< samples along each side of a pixel
+    /// Blended surfaces at least this opaque are seen by the techniques; nothing: none are.
+    std::optional<float> occluding_opacity;
     int grey_ms = 2000;
     int grey_level = 128;
     OrderKind order = OrderKind::kLatinSquare;

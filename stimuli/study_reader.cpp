@@ -91,6 +91,9 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
     study.supersampling = static_cast<int>(
         reader.integer("supersampling", Need::kOptional, 1, renderer::kMostSupersampling)
             .value_or(study.supersampling));
+    if (const auto opacity = reader.number("occluding_opacity", Need::kOptional, 0.01, 1.0)) {
+        study.occluding_opacity = static_cast<float>(*opacity);
+    }
     study.grey_ms = static_cast<int>(
         reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
     study.grey_level = static_cast<int>(

@@ -186,5 +186,20 @@ TEST(Supersampling, GivesAnImageOfTheStudysSizeThatTheManifestRecords) {
     EXPECT_FALSE(problems_of_stimuli(study, folder.path()).empty());
 }
 
+TEST(OccludingOpacity, OfTheStudyReachesThePlanAndTheManifest) {
+    Study study = study_of_blocks();
+    study.occluding_opacity = 0.8F;
+    const renderer::HeadlessContext context;
+    StimulusRenderer stimuli(study, catalogue());
+    const Stimulus stimulus{&study.conditions[1], 'b'};
+    const renderer::Frame frame = stimuli.render(stimulus);
+    EXPECT_EQ(frame.plan().options.occluding_opacity, 0.8F);
+    EXPECT_EQ(stimuli.describe(stimulus, frame).occluding_opacity, 0.8F);
+    EXPECT_TRUE(shows_what_is_asked(study, stimuli.describe(stimulus, frame)));
+    const std::string inputs = stimuli.inputs_sha256(stimulus);
+    study.occluding_opacity.reset();
+    EXPECT_NE(stimuli.inputs_sha256(stimulus), inputs);
+}
+
 }  // namespace
 }  // namespace obscura::stimuli
