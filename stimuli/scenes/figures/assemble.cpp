@@ -14,7 +14,7 @@ namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
-// Cells are this much larger than a part asks for, so that two cores take 2 s.
+// Cells are this much larger than a part asks for, to save time where it is hardly seen.
 constexpr float kCoarserCloth = 1.4F;  ///< soft cloth, which has no edges
 constexpr float kCoarser = 1.1F;       ///< everything else but skin
 
