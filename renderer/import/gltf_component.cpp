@@ -43,6 +43,24 @@ float component_at(const char* at, int type, bool normalized) {
     }
 }
 
+/// Calls `read(element, bytes)` for each stored element, and then for each that a sparse accessor
+/// replaces, whose values lie `element_bytes` apart.
+template <typename Read>
+void each_element(const GltfAccessor& accessor, std::size_t element_bytes, const Read& read) {
+    if (accessor.view) {
+        const char* from = accessor.view->bytes.data() + accessor.offset;
+        for (std::size_t i = 0; i < accessor.count; ++i) read(i, from + i * accessor.stride);
+    }
+    if (!accessor.sparse) return;
+    const GltfSparse& sparse = *accessor.sparse;
+    const char* indices = sparse.indices.bytes.data() + sparse.indices_offset;
+    const char* values = sparse.values.bytes.data() + sparse.values_offset;
+    for (std::size_t k = 0; k < sparse.count; ++k) {
+        read(integer_at(indices + k * component_bytes(sparse.indices_type), sparse.indices_type),
+             values + k * element_bytes);
+    }
+}
+
 }  // namespace
 
 std::size_t component_bytes(int type) {
@@ -92,19 +110,7 @@ std::vector<float> GltfFile::floats(const GltfAccessor& accessor) const {
                 component_at(from + offsets[c], accessor.component_type, accessor.normalized);
         }
     };
-    if (accessor.view) {
-        const char* from = accessor.view->bytes.data() + accessor.offset;
-        for (std::size_t i = 0; i < accessor.count; ++i) read(i, from + i * accessor.stride);
-    }
-    if (accessor.sparse) {
-        const GltfSparse& s = *accessor.sparse;
-        const std::size_t index_bytes = component_bytes(s.indices_type);
-        for (std::size_t k = 0; k < s.count; ++k) {
-            read(integer_at(s.indices.bytes.data() + s.indices_offset + k * index_bytes,
-                            s.indices_type),
-                 s.values.bytes.data() + s.values_offset + k * element_bytes(accessor));
-        }
-    }
+    each_element(accessor, element_bytes(accessor), read);
     return values;
 }
 
@@ -123,19 +129,7 @@ std::vector<std::uint32_t> GltfFile::integers(const GltfAccessor& accessor,
             values[element * components + c] = integer_at(from + c * bytes, type);
         }
     };
-    if (accessor.view) {
-        const char* from = accessor.view->bytes.data() + accessor.offset;
-        for (std::size_t i = 0; i < accessor.count; ++i) read(i, from + i * accessor.stride);
-    }
-    if (accessor.sparse) {
-        const GltfSparse& s = *accessor.sparse;
-        const std::size_t index_bytes = component_bytes(s.indices_type);
-        for (std::size_t k = 0; k < s.count; ++k) {
-            read(integer_at(s.indices.bytes.data() + s.indices_offset + k * index_bytes,
-                            s.indices_type),
-                 s.values.bytes.data() + s.values_offset + k * components * bytes);
-        }
-    }
+    each_element(accessor, components * bytes, read);
     return values;
 }
 

@@ -14,13 +14,6 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-/// A colour picked by eye, decoded once.
-template <std::uint32_t kSrgb>
-const vec3& colour() {
-    static const vec3 linear = linear_from_srgb(kSrgb);
-    return linear;
-}
-
 /// The noise that the textures share: 8 x 8 cells, read at whole multiples of uv and free offsets.
 float noise(vec2 uv) {
     static const NoiseTile tile(31, 8, 5);

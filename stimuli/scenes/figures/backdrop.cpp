@@ -21,13 +21,6 @@ using renderer::Mesh;
 constexpr float kFace_m = -5.2F;  ///< z of the house's front
 constexpr float kHigh_m = 5.2F;
 
-/// A colour picked by eye, decoded once.
-template <std::uint32_t kSrgb>
-const vec3& colour() {
-    static const vec3 linear = linear_from_srgb(kSrgb);
-    return linear;
-}
-
 /// Lime plaster with stains below ledges and patches of repair. Covers 4 m.
 Texel plaster(vec2 uv) {
     const float broad = shared_noise(uv);

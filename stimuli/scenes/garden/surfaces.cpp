@@ -16,12 +16,6 @@ using glm::vec3;
 
 float noise(vec2 uv) { return shared_noise(uv); }
 
-template <std::uint32_t kSrgb>
-const vec3& colour() {
-    static const vec3 linear = linear_from_srgb(kSrgb);
-    return linear;
-}
-
 /// Opacity of a shape whose edge is where `inside` (in parts of the texture) is 0.
 float edge(float inside) { return glm::clamp(0.5F + 60.0F * inside, 0.0F, 1.0F); }
 

@@ -16,12 +16,6 @@ using glm::vec3;
 
 float noise(vec2 uv) { return shared_noise(uv); }
 
-template <std::uint32_t kSrgb>
-const vec3& colour() {
-    static const vec3 linear = linear_from_srgb(kSrgb);
-    return linear;
-}
-
 /// Emulsion over plaster, rolled on, a little soiled. Covers 3 m.
 Texel wall(vec2 uv) {
     const float broad = noise(uv);

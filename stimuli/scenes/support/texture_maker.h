@@ -47,6 +47,13 @@ std::uint32_t add_material(renderer::Scene& scene, renderer::Material material,
 /// Linear value of an sRGB colour written as 0xRRGGBB, for colours picked by eye.
 [[nodiscard]] glm::vec3 linear_from_srgb(std::uint32_t rgb);
 
+/// The same of a constant, converted once: for recipes, which ask at every texel.
+template <std::uint32_t kSrgb>
+[[nodiscard]] const glm::vec3& colour() {
+    static const glm::vec3 linear = linear_from_srgb(kSrgb);
+    return linear;
+}
+
 /// Calls `row(y)` for y in [0, rows), on all cores. What the calls write must not overlap.
 void for_each_row(int rows, const std::function<void(int)>& row);
 
