@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <tuple>
 
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
@@ -21,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The selected images, those of one scene together so that it is built once.
+/// The selected images, those of one scene together so that it is built once, and of those the ones
+/// of one view, so that their surfaces and light are made once.
 std::vector<Stimulus> select(const Study& study, const Selection& selection) {
     base::check_range("--shard", "N", selection.shards, 1, 1000000);
     base::check_range("--shard", "K", selection.shard, 1, selection.shards);
@@ -40,7 +42,10 @@ std::vector<Stimulus> select(const Study& study, const Selection& selection) {
         }
     }
     std::stable_sort(wanted.begin(), wanted.end(), [&study](const auto& left, const auto& right) {
-        return study.scene_of(*left.condition).source < study.scene_of(*right.condition).source;
+        const StudyScene& a = study.scene_of(*left.condition);
+        const StudyScene& b = study.scene_of(*right.condition);
+        return std::tie(a.source, a.settings.scale, a.id) <
+               std::tie(b.source, b.settings.scale, b.id);
     });
     // Neighbouring images go to the same part, so that few parts need the same scene.
     const std::size_t count = wanted.size();
@@ -228,7 +233,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             progress.step(stimulus.file() + " (kept)");
             continue;
         }
-        const renderer::Frame frame = renderer.render(stimulus);
+        const renderer::Frame frame = renderer.render_next(stimulus);
         const std::string bytes = encode_png(image_of(frame));
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);

@@ -47,7 +47,9 @@ struct ManifestImage {
     std::optional<float> occluding_opacity;  ///< nothing: no blended surface occludes
     ManifestToneMapping tone_mapping;
     std::vector<std::string> passes;
-    double milliseconds = 0.0;  ///< of all passes when it was made, compiling shaders included
+    /// Of all passes when it was made, compiling shaders included; surfaces, shadow maps and light
+    /// that several images share count for each of them.
+    double milliseconds = 0.0;
     std::string
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };

@@ -110,29 +110,42 @@ renderer::TracedAccessibility StimulusRenderer::tracer() {
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
-                                         const renderer::FrameOptions& options) {
+                                         const renderer::FrameOptions& options,
+                                         const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
                              stimulus.choice(), study_.width, study_.height, options);
     return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
-                            tracer());
+                            tracer(), known);
+}
+
+renderer::FrameOptions StimulusRenderer::options() const {
+    return {.supersampling = study_.supersampling, .occluding_opacity = study_.occluding_opacity};
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
-    return render(stimulus, {.supersampling = study_.supersampling,
-                             .occluding_opacity = study_.occluding_opacity});
+    return render(stimulus, options());
+}
+
+renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
+    if (known_scene_ != stimulus.condition->scene) {
+        known_ = {};
+        known_scene_ = stimulus.condition->scene;
+    }
+    renderer::Frame frame = render(stimulus, options(), known_);
+    known_ = frame.view_buffers();
+    return frame;
 }
 
 renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
+    renderer::FrameOptions all = options();
+    all.all_buffers = true;
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of_everything(*loaded_.opened.scene, lighting),
-                             stimulus.choice(), study_.width, study_.height,
-                             {.supersampling = study_.supersampling,
-                              .occluding_opacity = study_.occluding_opacity,
-                              .all_buffers = true});
+                             stimulus.choice(), study_.width, study_.height, all);
     return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
 }
 

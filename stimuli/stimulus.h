@@ -42,6 +42,10 @@ class StimulusRenderer {
     /// All buffers of the image.
     [[nodiscard]] renderer::Frame render(const Stimulus& stimulus);
 
+    /// The same to the bit, of which surfaces, shadow maps and light are taken over from the image
+    /// before where that was of the same view: ask for images of one scene id together.
+    [[nodiscard]] renderer::Frame render_next(const Stimulus& stimulus);
+
     /// The same surfaces from a frame that leaves nothing out (renderer/frame/everything.h).
     [[nodiscard]] renderer::Frame render_everything(const Stimulus& stimulus);
 
@@ -77,7 +81,9 @@ class StimulusRenderer {
     View view_of(const Stimulus& stimulus);
     /// Traces rays through the scene that is loaded, for the technique that asks for it.
     renderer::TracedAccessibility tracer();
-    renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options);
+    renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options,
+                           const renderer::ViewBuffers& known = {});
+    [[nodiscard]] renderer::FrameOptions options() const;
     void load(const StudyScene& scene);
     const renderer::Lighting& lighting_of(const StudyScene& scene);
     [[nodiscard]] const std::vector<renderer::ImportedFile>& files_of(
@@ -87,6 +93,8 @@ class StimulusRenderer {
     const std::vector<BuiltinScene>& catalogue_;
     renderer::Renderer renderer_;
     Loaded loaded_;
+    std::string known_scene_;  ///< id of the scene that known_ is of
+    renderer::ViewBuffers known_;
     std::map<std::string, renderer::Lighting> lightings_;  ///< by the scene's id
     mutable std::map<std::string, std::vector<renderer::ImportedFile>> files_;  ///< the same
     std::string environment_sha256_;  ///< of program, driver and shaders

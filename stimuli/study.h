@@ -68,7 +68,7 @@ struct Study {
     std::string thanks;  ///< text of the last page; empty: the kiosk's own
     int width = 1280;
     int height = 720;
-    int supersampling = 1;  ///< samples along each side of a pixel
+    int supersampling = 1;  ///< samples of surfaces and light along each side of a pixel
     /// Blended surfaces at least this opaque are seen by the techniques; nothing: none are.
     std::optional<float> occluding_opacity;
     int grey_ms = 2000;

@@ -70,11 +70,41 @@ gl::Texture make_texture(const PlannedTarget& planned) {
     return texture;
 }
 
+bool depends_on_the_view_only(Pass pass) {
+    return pass == Pass::kGeometry || pass == Pass::kShadow || pass == Pass::kOccluders ||
+           pass == Pass::kLight;
+}
+
+/// Whether a pass of one plan gives what the same pass of another one gave.
+bool gives_the_same(const PlannedPass& pass, const FramePlan& plan, const FramePlan& known) {
+    if (!depends_on_the_view_only(pass.pass) || !known.has(pass.pass)) return false;
+    if (!(plan.needs == known.needs) || !(plan.options == known.options)) return false;
+    if (pass.pass == Pass::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
+        return false;
+    }
+    const auto same = [&](Target target) {
+        const PlannedTarget* other = known.find(target);
+        return other != nullptr && *other == *plan.find(target);
+    };
+    return std::all_of(pass.reads.begin(), pass.reads.end(), same) &&
+           std::all_of(pass.writes.begin(), pass.writes.end(), same);
+}
+
 }  // namespace
 
-Frame::Frame(FramePlan plan) : plan_(std::move(plan)) {
+Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) {
+    for (const PlannedPass& pass : plan_.passes) {
+        if (!gives_the_same(pass, plan_, known.plan)) continue;
+        for (const Target target : pass.writes) {
+            textures_.emplace(target, known.textures.at(target));
+        }
+        for (const PassTime& time : known.times) {
+            if (time.pass == pass.pass) taken_over_.push_back(time);
+        }
+    }
     for (const PlannedTarget& planned : plan_.targets) {
-        textures_.emplace(planned.target, make_texture(planned));
+        std::shared_ptr<gl::Texture>& texture = textures_[planned.target];
+        if (!texture) texture = std::make_shared<gl::Texture>(make_texture(planned));
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw base::failure(
@@ -82,6 +112,19 @@ Frame::Frame(FramePlan plan) : plan_(std::move(plan)) {
             "error 0x{:x}",
             plan_.width, plan_.height, plan_.bytes(), error);
     }
+}
+
+ViewBuffers Frame::view_buffers() const {
+    ViewBuffers buffers;
+    buffers.plan = plan_;
+    for (const PlannedPass& pass : plan_.passes) {
+        if (!depends_on_the_view_only(pass.pass)) continue;
+        for (const Target target : pass.writes) {
+            buffers.textures.emplace(target, textures_.at(target));
+        }
+    }
+    buffers.times = times;
+    return buffers;
 }
 
 std::vector<std::uint8_t> Frame::read_bytes(Target target) const {

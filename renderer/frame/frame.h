@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,27 @@ struct PassTime {
     double query_milliseconds = 0.0;  ///< by GL timestamps: wrong on a software renderer
 };
 
+/// Buffers of a rendered image that do not depend on what its technique found: surfaces, shadow
+/// maps and light. Another image of the same scene, light and camera may take them over.
+struct ViewBuffers {
+    FramePlan plan;
+    std::map<Target, std::shared_ptr<gl::Texture>> textures;
+    std::vector<PassTime> times;
+};
+
 /// The buffers of one rendered image, until the next one is wanted.
 class Frame {
   public:
-    explicit Frame(FramePlan plan);
+    /// Takes over, of `known`, the results of every pass whose outcome would be the same to the
+    /// bit: the plans agree on needs, options and all the targets that it reads and writes.
+    explicit Frame(FramePlan plan, const ViewBuffers& known = {});
 
     [[nodiscard]] const FramePlan& plan() const { return plan_; }
-    [[nodiscard]] GLuint texture(Target target) const { return textures_.at(target).name(); }
+    [[nodiscard]] GLuint texture(Target target) const { return textures_.at(target)->name(); }
+    /// The passes whose results were taken over, with the time that they took then.
+    [[nodiscard]] const std::vector<PassTime>& taken_over() const { return taken_over_; }
+    /// What another image of the view may take over.
+    [[nodiscard]] ViewBuffers view_buffers() const;
 
     /// The image: width * height * 3 sRGB code values, upper row first.
     [[nodiscard]] std::vector<std::uint8_t> read_display() const;
@@ -37,11 +52,12 @@ class Frame {
     /// The stored bytes of any target of the image's size, as OpenGL holds them.
     [[nodiscard]] std::vector<std::uint8_t> read_bytes(Target target) const;
 
-    std::vector<PassTime> times;
+    std::vector<PassTime> times;  ///< of all passes, in their order
 
   private:
     FramePlan plan_;
-    std::map<Target, gl::Texture> textures_;
+    std::map<Target, std::shared_ptr<gl::Texture>> textures_;
+    std::vector<PassTime> taken_over_;
 };
 
 }  // namespace obscura::renderer

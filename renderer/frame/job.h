@@ -16,6 +16,7 @@ struct Renderer::Job {
     Frame& frame;
     const Camera& source;  ///< what `camera` was made of
     const TracedAccessibility& traced;
+    glm::ivec2 size{0};  ///< of the buffers that are attached
 
     [[nodiscard]] bool has(Target target) const { return plan.find(target) != nullptr; }
     /// The buffer that stands in for kDepth, kNormal or kVisibility before the technique.
@@ -26,15 +27,19 @@ struct Renderer::Job {
     [[nodiscard]] glm::mat3 world_from_view() const {
         return glm::transpose(glm::mat3(camera.view_from_world));
     }
+    /// SUPERSAMPLING n, as shaders read it.
+    [[nodiscard]] std::string samples_define() const {
+        return "SUPERSAMPLING " + std::to_string(plan.options.supersampling);
+    }
     /// Uniforms of passes/geometry.vert.glsl.
     void set_vertices(gl::Program& program) const {
         program.set("u_view", glm::mat3(camera.view_from_world));
         program.set("u_eye_m", camera.eye_m);
         program.set("u_projection", camera.clip_from_view);
     }
-    /// Uniforms of passes/view.glsl.
+    /// Uniforms of passes/view.glsl, for the buffers that are attached.
     void set_view(gl::Program& program) const {
-        program.set("u_size", glm::vec2(plan.width, plan.height));
+        program.set("u_size", glm::vec2(size));
         program.set("u_projection", camera.clip_from_view);
         program.set("u_ray_scale", camera.ray_scale);
         program.set("u_ray_offset", camera.ray_offset);

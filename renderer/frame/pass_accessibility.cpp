@@ -42,10 +42,11 @@ void Renderer::run_traced_accessibility(Job& job) {
         throw base::failure("technique {} needs a ray tracer, and this frame has none",
                             job.choice.technique);
     }
-    const int width = job.plan.width;
-    const int height = job.plan.height;
+    const int width = job.plan.image_width;
+    const int height = job.plan.image_height;
     std::vector<float> upper_first = job.traced(job.source, width, height, job.choice);
-    const std::vector<std::uint8_t> visibility = job.frame.read_bytes(Target::kVisibility);
+    const std::vector<std::uint8_t> visibility =
+        job.frame.read_bytes(job.plan.seen_by_technique(Target::kVisibility));
     std::vector<float> values(upper_first.size());
     const auto row = static_cast<std::size_t>(width);
     for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
@@ -61,6 +62,12 @@ void Renderer::run_traced_accessibility(Job& job) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(job.frame.texture(Target::kAccessibility), 0, 0, 0, width, height, GL_RED,
                         GL_FLOAT, values.data());
+}
+
+void Renderer::bind_accessibility(Job& job, gl::Program& program) {
+    bind(program, "t_accessibility", job.frame.texture(job.plan.final_accessibility()), 4);
+    if (job.plan.options.supersampling == 1) return;
+    bind(program, "t_pixel_depth", job.frame.texture(Target::kOccluderDepth), 5);
 }
 
 void Renderer::run_denoise(Job& job) {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "renderer/frame/job.h"
+#include "renderer/passes/shared_constants.h"
 
 namespace obscura::renderer {
 namespace {
@@ -54,20 +55,28 @@ void Renderer::draw_blended(Job& job, gl::Program& program, float least_opacity)
 }
 
 void Renderer::run_occluders(Job& job) {
-    const auto copy = [&job](Target from, Target to) {
-        glCopyImageSubData(job.frame.texture(from), GL_TEXTURE_2D, 0, 0, 0, 0,
-                           job.frame.texture(to), GL_TEXTURE_2D, 0, 0, 0, 0, job.plan.width,
-                           job.plan.height, 1);
-    };
     const bool normal = job.has(Target::kOccluderNormal);
-    copy(Target::kVisibility, Target::kOccluderVisibility);
-    copy(Target::kDepth, Target::kOccluderDepth);
-    if (normal) copy(Target::kNormal, Target::kOccluderNormal);
-
     Defines defines = surface_defines(job.plan.needs, normal);
+    attach(job, {Target::kOccluderDepth, Target::kOccluderNormal}, Target::kOccluderVisibility);
+    if (job.plan.options.supersampling > 1) {
+        constexpr GLfloat kNothing[2][4] = {{kBackgroundDepth_m, 0, 0, 0}, {0, 0, 0, 0}};
+        glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing[0]);
+        if (normal) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing[1]);
+        draw_opaque(job, "passes/occluders.frag.glsl", defines);
+    } else {
+        const auto copy = [&job](Target from, Target to) {
+            glCopyImageSubData(job.frame.texture(from), GL_TEXTURE_2D, 0, 0, 0, 0,
+                               job.frame.texture(to), GL_TEXTURE_2D, 0, 0, 0, 0, job.size.x,
+                               job.size.y, 1);
+        };
+        copy(Target::kVisibility, Target::kOccluderVisibility);
+        copy(Target::kDepth, Target::kOccluderDepth);
+        if (normal) copy(Target::kNormal, Target::kOccluderNormal);
+    }
+    if (!job.plan.blended_occlude()) return;
+    defines.emplace_back("BLENDED");
     gl::Program& shader =
         program("passes/geometry.vert.glsl", "passes/occluders.frag.glsl", defines);
-    attach(job, {Target::kOccluderDepth, Target::kOccluderNormal}, Target::kOccluderVisibility);
     job.set_vertices(shader);
     shader.set("u_occluding_opacity", *job.plan.options.occluding_opacity);
     glEnable(GL_DEPTH_TEST);
@@ -78,11 +87,14 @@ void Renderer::run_occluders(Job& job) {
 
 void Renderer::run_blend(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
-    const bool occluded = job.plan.has(Pass::kOccluders);
+    const bool occluded = job.plan.blended_occlude();
     Defines defines = surface_defines(needs, true);
     const Defines light = lighting_defines(needs);
     defines.insert(defines.end(), light.begin(), light.end());
-    if (occluded) defines.emplace_back("ACCESSIBILITY");
+    if (occluded) {
+        defines.emplace_back("ACCESSIBILITY");
+        defines.push_back(job.samples_define());
+    }
     gl::Program& shader = program("passes/geometry.vert.glsl", "passes/blend.frag.glsl", defines);
     attach(job, {Target::kHdr});
     job.set_vertices(shader);
@@ -90,7 +102,7 @@ void Renderer::run_blend(Job& job) {
     if (!needs.environment) shader.set("u_ambient", job.lighting.ambient);
     if (occluded) {
         shader.set("u_occluding_opacity", *job.plan.options.occluding_opacity);
-        bind(shader, "t_accessibility", job.frame.texture(job.plan.final_accessibility()), 5);
+        bind_accessibility(job, shader);
     }
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);

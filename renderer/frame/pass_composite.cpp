@@ -37,7 +37,10 @@ void Renderer::run_composite(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
     const bool occluded = job.plan.has(Pass::kAccessibility);
     Defines defines;
-    if (occluded) defines.emplace_back("ACCESSIBILITY");
+    if (occluded) {
+        defines.emplace_back("ACCESSIBILITY");
+        defines.push_back(job.samples_define());
+    }
     if (needs.environment) defines.emplace_back("ENVIRONMENT");
     if (needs.direct_light()) defines.emplace_back("DIRECT");
     if (needs.specular) defines.emplace_back("SPECULAR");
@@ -52,15 +55,18 @@ void Renderer::run_composite(Job& job) {
     glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, &empty.x);
     bind(shader, "t_albedo", job.frame.texture(Target::kAlbedo), 0);
     if (occluded) {
-        bind(shader, "t_accessibility", job.frame.texture(job.plan.final_accessibility()), 1);
+        bind_accessibility(job, shader);
+        if (job.plan.options.supersampling > 1) {
+            bind(shader, "t_depth", job.frame.texture(Target::kDepth), 6);
+        }
     }
     if (needs.environment) {
-        bind(shader, "t_ambient", job.frame.texture(Target::kAmbient), 2);
+        bind(shader, "t_ambient", job.frame.texture(Target::kAmbient), 1);
     } else {
         shader.set("u_ambient", job.lighting.ambient);
     }
-    if (needs.direct_light()) bind(shader, "t_direct", job.frame.texture(Target::kDirect), 3);
-    if (needs.emission) bind(shader, "t_emission", job.frame.texture(Target::kEmission), 4);
+    if (needs.direct_light()) bind(shader, "t_direct", job.frame.texture(Target::kDirect), 2);
+    if (needs.emission) bind(shader, "t_emission", job.frame.texture(Target::kEmission), 3);
     full_screen(shader, GL_GREATER);
 }
 
@@ -91,12 +97,8 @@ void Renderer::run_tone_map(Job& job) {
 
 void Renderer::run_resolve(Job& job) {
     gl::Program& shader =
-        program("passes/full_screen.vert.glsl", "passes/resolve.frag.glsl",
-                {"SUPERSAMPLING " + std::to_string(job.plan.options.supersampling)});
-    const GLuint name = framebuffer_.name();
-    attach(job, {Target::kResolved});
-    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, 0, 0);
-    glViewport(0, 0, job.plan.image_width, job.plan.image_height);
+        program("passes/full_screen.vert.glsl", "passes/resolve.frag.glsl", {job.samples_define()});
+    attach(job, {Target::kResolved}, std::nullopt);
     bind(shader, "t_display", job.frame.texture(Target::kDisplay), 0);
     full_screen(shader, GL_ALWAYS);
 }

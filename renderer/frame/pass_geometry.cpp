@@ -52,8 +52,7 @@ void Renderer::set_surface(Job& job, gl::Program& program, const Material& mater
 }
 
 void Renderer::run_geometry(Job& job) {
-    const SceneNeeds& needs = job.plan.needs;
-    Defines defines = surface_defines(needs, job.has(Target::kNormal));
+    Defines defines = surface_defines(job.plan.needs, job.has(Target::kNormal));
     if (job.has(Target::kDepth)) defines.emplace_back("DEPTH");
 
     attach(job, {Target::kAlbedo, Target::kNormal, Target::kDepth, Target::kEmission});
@@ -61,21 +60,24 @@ void Renderer::run_geometry(Job& job) {
     if (job.has(Target::kNormal)) clear(framebuffer_.name(), 1, glm::vec4(0.0F));
     if (job.has(Target::kDepth)) clear(framebuffer_.name(), 2, glm::vec4(kBackgroundDepth_m));
     if (job.has(Target::kEmission)) clear(framebuffer_.name(), 3, glm::vec4(0, 0, 0, 1));
-    constexpr GLfloat kFar = 1.0F;
-    glDepthMask(GL_TRUE);
-    glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFar);
-
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
+    draw_opaque(job, "passes/geometry.frag.glsl", defines);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void Renderer::draw_opaque(Job& job, const std::string& fragment, Defines defines) {
+    constexpr GLfloat kFar = 1.0F;
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFar);
     glBindVertexArray(job.scene.vertex_array());
     // Surfaces without holes first: their shader discards nothing, and what they hide is not
     // shaded.
     for (const bool cut_out : {false, true}) {
-        if (cut_out && !needs.cut_out) continue;
+        if (cut_out && !job.plan.needs.cut_out) continue;
         if (cut_out) defines.emplace_back("CUT_OUT");
-        gl::Program& shader =
-            program("passes/geometry.vert.glsl", "passes/geometry.frag.glsl", defines);
+        gl::Program& shader = program("passes/geometry.vert.glsl", fragment, defines);
         shader.use();
         job.set_vertices(shader);
         for (const GpuScene::Draw& draw : job.scene.draws()) {
@@ -86,7 +88,6 @@ void Renderer::run_geometry(Job& job) {
         }
     }
     glDisable(GL_CULL_FACE);
-    glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
 }  // namespace obscura::renderer

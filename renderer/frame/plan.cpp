@@ -13,54 +13,6 @@
 namespace obscura::renderer {
 namespace {
 
-struct TargetFacts {
-    const char* name;
-    const char* format;
-    std::size_t bytes_per_texel;
-};
-
-TargetFacts facts_of(Target target) {
-    switch (target) {
-        case Target::kAlbedo:
-            return {"albedo", "srgb8_alpha8", 4};
-        case Target::kNormal:
-            return {"normal", "rgba8", 4};
-        case Target::kDepth:
-            return {"depth", "r32f", 4};
-        case Target::kVisibility:
-            return {"visibility", "depth24", 4};
-        case Target::kShadow:
-            return {"shadow", "depth32f", 4};
-        case Target::kPointShadow:
-            return {"point shadow", "depth32f", 4};
-        case Target::kEmission:
-            return {"emission", "rgba16f", 8};
-        case Target::kOccluderDepth:
-            return {"occluder depth", "r32f", 4};
-        case Target::kOccluderNormal:
-            return {"occluder normal", "rgba8", 4};
-        case Target::kOccluderVisibility:
-            return {"occluder visibility", "depth24", 4};
-        case Target::kAccessibility:
-            return {"accessibility", "r32f", 4};
-        case Target::kDenoiseStep:
-            return {"denoise step", "r32f", 4};
-        case Target::kDenoised:
-            return {"denoised", "r32f", 4};
-        case Target::kAmbient:
-            return {"ambient light", "rgba16f", 8};
-        case Target::kDirect:
-            return {"direct light", "rgba16f", 8};
-        case Target::kHdr:
-            return {"hdr", "rgba16f", 8};
-        case Target::kDisplay:
-            return {"display", "rgba8", 4};
-        case Target::kResolved:
-            return {"resolved", "rgba8", 4};
-    }
-    return {"", "", 0};
-}
-
 /// Adds passes and, with them, the targets they write.
 class Planner {
   public:
@@ -75,6 +27,7 @@ class Planner {
         plan_.image_height = height;
         plan_.options = options;
         plan_.needs = needs;
+        plan_.technique_reads_depth = technique_.reads_depth;
         accessibility_ = technique_.makes_accessibility();
     }
 
@@ -99,9 +52,9 @@ class Planner {
     }
 
     void add(Target target) {
-        const TargetFacts facts = facts_of(target);
-        PlannedTarget planned{target, facts.format, plan_.width, plan_.height, 1, 0};
-        std::size_t bytes_per_texel = facts.bytes_per_texel;
+        const TargetFormat format = format_of(target);
+        PlannedTarget planned{target, format.name, plan_.width, plan_.height, 1, 0};
+        std::size_t bytes_per_texel = format.bytes_per_texel;
         if ((target == Target::kDepth || target == Target::kOccluderDepth) &&
             depth_format_ == "r16f") {
             planned.format = depth_format_;
@@ -115,7 +68,7 @@ class Planner {
             planned.width = planned.height = plan_.needs.point_shadow_size;
             planned.layers = 6 * plan_.needs.point_lights;
         }
-        if (target == Target::kResolved) {
+        if (is_once_a_pixel(target)) {
             planned.width = plan_.image_width;
             planned.height = plan_.image_height;
         }
@@ -127,10 +80,11 @@ class Planner {
 
     const SceneNeeds& needs() const { return plan_.needs; }
     [[nodiscard]] bool lit() const { return needs().environment || needs().direct_light(); }
-    [[nodiscard]] bool occluders() const {
-        return technique_.reads_depth && needs().blended &&
-               plan_.options.occluding_opacity.has_value();
+    /// Whether the technique runs on fewer pixels than the other passes.
+    [[nodiscard]] bool once_a_pixel() const {
+        return accessibility_ && plan_.options.supersampling > 1;
     }
+    [[nodiscard]] bool occluders() const { return once_a_pixel() || plan_.blended_occlude(); }
     [[nodiscard]] bool denoised() const { return accessibility_ && denoise_.passes > 0; }
 
     const std::string depth_format_;
@@ -143,9 +97,11 @@ class Planner {
 
 void Planner::plan_geometry() {
     const bool all = plan_.options.all_buffers;
-    const bool depth = all || (accessibility_ && technique_.reads_depth) ||
+    // Where the technique runs once a pixel, samples find their pixel by depth.
+    const bool depth = all || once_a_pixel() || (accessibility_ && technique_.reads_depth) ||
                        (denoised() && denoise_.reads_depth) || needs().direct_light();
-    const bool normal = all || (accessibility_ && technique_.reads_normal) || lit();
+    const bool normal =
+        all || (accessibility_ && technique_.reads_normal && !once_a_pixel()) || lit();
     std::vector<Target> writes{Target::kVisibility, Target::kAlbedo};
     if (normal) writes.push_back(Target::kNormal);
     if (depth) writes.push_back(Target::kDepth);
@@ -172,15 +128,17 @@ void Planner::plan_shadow() {
 
 void Planner::plan_accessibility() {
     if (occluders()) {
-        std::vector<Target> reads{Target::kVisibility, Target::kDepth};
+        std::vector<Target> reads;
         std::vector<Target> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
-        if (technique_.reads_normal) {
-            reads.push_back(Target::kNormal);
-            writes.push_back(Target::kOccluderNormal);
+        if (technique_.reads_normal) writes.push_back(Target::kOccluderNormal);
+        if (!once_a_pixel()) {  // copied from the image's own
+            reads = {Target::kVisibility, Target::kDepth};
+            if (technique_.reads_normal) reads.push_back(Target::kNormal);
         }
         pass(Pass::kOccluders, reads, writes);
     } else {
-        leave_out("occluders", !needs().blended ? "no material is blended"
+        leave_out("occluders", !accessibility_    ? "the technique computes no accessibility"
+                               : !needs().blended ? "no material is blended"
                                : !technique_.reads_depth
                                    ? "the technique reads no depth"
                                    : "blended surfaces are asked not to occlude");
@@ -191,7 +149,7 @@ void Planner::plan_accessibility() {
         return;
     }
     std::vector<Target> reads;
-    if (technique_.ray_traced) reads.push_back(Target::kVisibility);
+    if (technique_.ray_traced) reads.push_back(plan_.seen_by_technique(Target::kVisibility));
     if (technique_.reads_depth) reads.push_back(plan_.seen_by_technique(Target::kDepth));
     if (technique_.reads_normal) reads.push_back(plan_.seen_by_technique(Target::kNormal));
     pass(Pass::kAccessibility, reads, {Target::kAccessibility});
@@ -225,6 +183,10 @@ void Planner::plan_image() {
     const Target image = needs().hdr() ? Target::kHdr : Target::kDisplay;
     std::vector<Target> reads{Target::kAlbedo};
     if (accessibility_) reads.push_back(plan_.final_accessibility());
+    if (once_a_pixel()) {
+        reads.push_back(Target::kDepth);
+        reads.push_back(Target::kOccluderDepth);
+    }
     reads.insert(reads.end(), light_.begin(), light_.end());
     if (needs().emission) reads.push_back(Target::kEmission);
     pass(Pass::kComposite, reads, {image});
@@ -237,7 +199,10 @@ void Planner::plan_image() {
         std::vector<Target> seen{Target::kVisibility};
         if (needs().lights > 0) seen.push_back(Target::kShadow);
         if (needs().point_lights > 0) seen.push_back(Target::kPointShadow);
-        if (occluders()) seen.push_back(plan_.final_accessibility());
+        if (plan_.blended_occlude()) {
+            seen.push_back(plan_.final_accessibility());
+            if (once_a_pixel()) seen.push_back(Target::kOccluderDepth);
+        }
         pass(Pass::kBlend, seen, {image});
     } else {
         leave_out("blend", "no material is blended");
@@ -255,36 +220,6 @@ void Planner::plan_image() {
 }
 
 }  // namespace
-
-std::string to_string(Target target) { return facts_of(target).name; }
-
-std::string to_string(Pass pass) {
-    switch (pass) {
-        case Pass::kGeometry:
-            return "geometry";
-        case Pass::kShadow:
-            return "shadow";
-        case Pass::kOccluders:
-            return "occluders";
-        case Pass::kAccessibility:
-            return "accessibility";
-        case Pass::kDenoise:
-            return "denoise";
-        case Pass::kLight:
-            return "light";
-        case Pass::kComposite:
-            return "composite";
-        case Pass::kSky:
-            return "sky";
-        case Pass::kBlend:
-            return "blend";
-        case Pass::kToneMap:
-            return "tone map";
-        case Pass::kResolve:
-            return "resolve";
-    }
-    return "";
-}
 
 const PlannedTarget* FramePlan::find(Target target) const {
     const auto found = std::find_if(targets.begin(), targets.end(), [target](const auto& planned) {
@@ -306,6 +241,10 @@ std::size_t FramePlan::bytes() const {
 
 Target FramePlan::final_accessibility() const {
     return has(Pass::kDenoise) ? Target::kDenoised : Target::kAccessibility;
+}
+
+bool FramePlan::blended_occlude() const {
+    return technique_reads_depth && needs.blended && options.occluding_opacity.has_value();
 }
 
 Target FramePlan::seen_by_technique(Target target) const {

@@ -7,52 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "renderer/frame/target.h"
 #include "renderer/light/lighting.h"
 #include "renderer/scene/scene.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
-
-/// The images that a frame may need, after Jakobsen 2010, Tables 1 and 2.
-enum class Target {
-    kAlbedo,          ///< srgb8_alpha8: albedo, specular intensity
-    kNormal,          ///< rgba8: view-space normal, specular power / 255
-    kDepth,           ///< r32f or r16f: positive view distance in metres; where empty,
-                      ///< kBackgroundDepth_m, in 16 bits infinity
-    kVisibility,      ///< depth24: which triangle is in front, and which pixels are empty
-    kShadow,          ///< depth32f, one layer a directional light
-    kPointShadow,     ///< depth32f, six layers a point light: +X -X +Y -Y +Z -Z
-    kEmission,        ///< rgba16f: light sent out, baked accessibility
-    kOccluderDepth,   ///< r32f: depth with nearly opaque blended surfaces in it, for the technique
-    kOccluderNormal,  ///< rgba8: the same of the normal
-    kOccluderVisibility,  ///< depth24: the same of the visibility
-    kAccessibility,       ///< r32f: what the technique wrote, 1 where empty
-    kDenoiseStep,         ///< r32f: between two passes of a filter
-    kDenoised,            ///< r32f: what the composite reads after a filter
-    kAmbient,             ///< rgba16f: irradiance / pi from the environment
-    kDirect,              ///< rgba16f: irradiance / pi from the lights, specular light
-    kHdr,                 ///< rgba16f: the image in linear light, before tone mapping
-    kDisplay,             ///< rgba8: the image, sRGB code values
-    kResolved,            ///< rgba8: the image at its final size, where pixels take several samples
-};
-
-/// What the frame does, in this order.
-enum class Pass {
-    kGeometry,
-    kShadow,
-    kOccluders,
-    kAccessibility,
-    kDenoise,
-    kLight,
-    kComposite,
-    kSky,
-    kBlend,
-    kToneMap,
-    kResolve,
-};
-
-[[nodiscard]] std::string to_string(Target target);
-[[nodiscard]] std::string to_string(Pass pass);
 
 struct PlannedTarget {
     Target target = Target::kDisplay;
@@ -61,6 +21,8 @@ struct PlannedTarget {
     int height = 0;
     int layers = 1;
     std::size_t bytes = 0;
+
+    bool operator==(const PlannedTarget&) const = default;
 };
 
 struct PlannedPass {
@@ -93,19 +55,25 @@ struct SceneNeeds {
     [[nodiscard]] bool direct_light() const { return lights > 0 || point_lights > 0; }
     /// Whether the image is kept in linear light before it becomes sRGB code values.
     [[nodiscard]] bool hdr() const { return tone_mapping || blended; }
+    bool operator==(const SceneNeeds&) const = default;
 };
 [[nodiscard]] SceneNeeds needs_of(const Scene& scene, const Lighting& lighting);
 
 /// What is asked of an image beside its technique.
 struct FrameOptions {
-    /// Samples along each side of a pixel, 1 to 4. All passes run on every sample; the samples of a
-    /// pixel are averaged in linear light after tone mapping.
+    /// Samples along each side of a pixel, 1 to 4: surfaces and light are computed for every
+    /// sample, and the samples of a pixel are averaged in linear light after tone mapping.
+    /// Accessibility is computed once a pixel, whatever this is, so that a variant's number of
+    /// samples is what its name says; each sample takes that of the pixel around it whose surface
+    /// is nearest in depth.
     int supersampling = 1;
     /// Blended surfaces at least this opaque, (0, 1], are seen by the technique (Filion and
     /// McNaughton 2008); nothing: none are.
     std::optional<float> occluding_opacity = {};
     /// Normal and depth are kept though nothing reads them, to be written beside the image.
     bool all_buffers = false;
+
+    bool operator==(const FrameOptions&) const = default;
 };
 inline constexpr int kMostSupersampling = 4;
 
@@ -117,6 +85,7 @@ struct FramePlan {
     int image_height = 0;
     FrameOptions options;
     SceneNeeds needs;
+    bool technique_reads_depth = false;
     std::vector<PlannedTarget> targets;
     std::vector<PlannedPass> passes;
     std::vector<LeftOut> left_out;
@@ -126,6 +95,8 @@ struct FramePlan {
     [[nodiscard]] std::size_t bytes() const;
     /// The buffer that holds the accessibility the composite uses: kAccessibility or kDenoised.
     [[nodiscard]] Target final_accessibility() const;
+    /// Whether the technique sees nearly opaque blended surfaces.
+    [[nodiscard]] bool blended_occlude() const;
     /// The buffer that the technique reads for kDepth, kNormal or kVisibility.
     [[nodiscard]] Target seen_by_technique(Target target) const;
     /// The buffer that holds the image: kDisplay or kResolved.

@@ -87,7 +87,8 @@ void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, i
     program.set(sampler, unit);
 }
 
-void Renderer::attach(Job& job, const std::vector<Target>& targets, Target visibility) {
+void Renderer::attach(Job& job, const std::vector<Target>& targets,
+                      std::optional<Target> visibility) {
     constexpr int kSlots = 4;
     const GLuint name = framebuffer_.name();
     std::vector<GLenum> buffers;
@@ -97,17 +98,22 @@ void Renderer::attach(Job& job, const std::vector<Target>& targets, Target visib
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
         const bool present = job.has(targets[i]);
-        if (present) glNamedFramebufferTexture(name, slot, job.frame.texture(targets[i]), 0);
+        if (present) {
+            glNamedFramebufferTexture(name, slot, job.frame.texture(targets[i]), 0);
+            const PlannedTarget& planned = *job.plan.find(targets[i]);
+            job.size = {planned.width, planned.height};
+        }
         buffers.push_back(present ? slot : GL_NONE);
     }
-    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, job.frame.texture(visibility), 0);
+    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT,
+                              visibility ? job.frame.texture(*visibility) : 0, 0);
     glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
     if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw base::failure("the driver cannot render to the buffers that a frame of {}x{} needs",
                             job.plan.width, job.plan.height);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, name);
-    glViewport(0, 0, job.plan.width, job.plan.height);
+    glViewport(0, 0, job.size.x, job.size.y);
 }
 
 void Renderer::full_screen(gl::Program& program, GLenum test) {
@@ -162,11 +168,16 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Pass)>& w
 
 Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
                        const TechniqueChoice& choice, const FramePlan& plan,
-                       const TracedAccessibility& traced) {
-    Frame frame(plan);
+                       const TracedAccessibility& traced, const ViewBuffers& known) {
+    Frame frame(plan, known);
     Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
             frame, camera,   traced};
-    frame.times = run(job, [](Pass) { return true; });
+    std::map<Pass, PassTime> times;
+    for (const PassTime& time : frame.taken_over()) times[time.pass] = time;
+    for (const PassTime& time : run(job, [&](Pass pass) { return !times.contains(pass); })) {
+        times[time.pass] = time;
+    }
+    for (const PlannedPass& planned : plan.passes) frame.times.push_back(times.at(planned.pass));
     return frame;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,12 @@ class Renderer {
 
     /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
     /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`. A
-    /// technique that is ray traced asks `traced`; throws failure when there is none.
+    /// technique that is ray traced asks `traced`; throws failure when there is none. Passes that
+    /// `known`, of the same scene, lighting and camera, holds the results of are not run again.
     [[nodiscard]] Frame render(const GpuScene& scene, const Lighting& lighting,
                                const Camera& camera, const TechniqueChoice& choice,
-                               const FramePlan& plan, const TracedAccessibility& traced = {});
+                               const FramePlan& plan, const TracedAccessibility& traced = {},
+                               const ViewBuffers& known = {});
 
     /// Runs accessibility and its filter once more on the buffers of a frame that was rendered of
     /// the same scene, light and camera, for a choice with the same plan, and gives their times.
@@ -84,9 +87,13 @@ class Renderer {
     void draw_blended(Job& job, gl::Program& program, float least_opacity);
 
     /// Makes `targets` the colour outputs 0, 1, ... (those that the plan has not are skipped), and
-    /// `visibility` the depth that is tested.
+    /// `visibility` the depth that is tested; all have one size.
     void attach(Job& job, const std::vector<Target>& targets,
-                Target visibility = Target::kVisibility);
+                std::optional<Target> visibility = Target::kVisibility);
+    /// Draws all that is not blended, nearest in front, with passes/geometry.vert.glsl.
+    void draw_opaque(Job& job, const std::string& fragment, Defines defines);
+    /// The shader's accessibility_of_sample().
+    void bind_accessibility(Job& job, gl::Program& program);
     /// Draws over the whole image, at the far plane, where the visibility buffer passes the test:
     /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
     void full_screen(gl::Program& program, GLenum test);

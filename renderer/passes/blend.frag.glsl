@@ -6,7 +6,7 @@
 #include "passes/surface.glsl"
 
 #ifdef ACCESSIBILITY
-uniform sampler2D t_accessibility;
+#include "passes/accessibility_of_sample.glsl"
 uniform float u_occluding_opacity;
 #endif
 #ifndef ENVIRONMENT
@@ -24,7 +24,7 @@ void main() {
 #endif
 #ifdef ACCESSIBILITY
     if (alpha >= u_occluding_opacity) {
-        light *= clamp(texelFetch(t_accessibility, ivec2(gl_FragCoord.xy), 0).r, 0.0, 1.0);
+        light *= accessibility_of_sample(ivec2(gl_FragCoord.xy), -v_view_position.z);
     }
 #endif
     vec3 added = vec3(0.0);

@@ -6,7 +6,10 @@
 
 uniform sampler2D t_albedo;
 #ifdef ACCESSIBILITY
-uniform sampler2D t_accessibility;
+#include "passes/accessibility_of_sample.glsl"
+#if SUPERSAMPLING > 1
+uniform sampler2D t_depth;
+#endif
 #endif
 #ifdef ENVIRONMENT
 uniform sampler2D t_ambient;
@@ -30,7 +33,11 @@ void main() {
     vec3 light = u_ambient;
 #endif
 #ifdef ACCESSIBILITY
-    light *= clamp(texelFetch(t_accessibility, here, 0).r, 0.0, 1.0);
+#if SUPERSAMPLING > 1
+    light *= accessibility_of_sample(here, texelFetch(t_depth, here, 0).r);
+#else
+    light *= accessibility_of_sample(here, 0.0);
+#endif
 #endif
 #ifdef EMISSION
     vec4 emission = texelFetch(t_emission, here, 0);

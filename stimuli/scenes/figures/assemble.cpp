@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 
@@ -39,16 +40,25 @@ class NearField {
     [[nodiscard]] float distance(const glm::vec3& p) const {
         const glm::vec3 q = (p - low_) / kCell_m;
         const glm::ivec3 cell = glm::clamp(glm::ivec3(q), glm::ivec3(0), size_ - 1);
+        const glm::vec3 centre = low_ + (glm::vec3(cell) + 0.5F) * kCell_m;
+        const float away = kSteepest * glm::distance(p, centre);
         float nearest = kReach_m;
-        for (const auto& [sculpture, parts] : cells_[index(cell)]) {
-            nearest = std::min(nearest, sculpture->distance(p, parts));
+        for (const Near& near : cells_[index(cell)]) {
+            if (near.at_centre_m - away >= nearest) break;  // so are all after it
+            nearest = std::min(nearest, near.sculpture->distance(p, near.parts));
         }
         return nearest;
     }
 
   private:
     static constexpr float kCell_m = 0.04F;
-    using Near = std::pair<const Sculpture*, std::vector<Sculpture::Part>>;
+    static constexpr float kSteepest = 1.25F;  ///< fastest that a sculpture's field grows
+    /// What of a sculpture is near a cell.
+    struct Near {
+        const Sculpture* sculpture = nullptr;
+        std::vector<Sculpture::Part> parts;
+        float at_centre_m = 0.0F;
+    };
 
     [[nodiscard]] std::size_t index(const glm::ivec3& cell) const {
         return static_cast<std::size_t>((cell.z * size_.y + cell.y) * size_.x + cell.x);
@@ -59,8 +69,13 @@ class NearField {
             auto near = part.solid.near(centre, 0.9F * kCell_m + kReach_m, part.solid.parts());
             part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near,
                                 owners_[static_cast<std::size_t>(cell.z)]);
-            if (!near.empty()) cells_[index(cell)].emplace_back(&part.solid, std::move(near));
+            if (near.empty()) continue;
+            const float at_centre_m = part.solid.distance(centre, near);
+            cells_[index(cell)].push_back({&part.solid, std::move(near), at_centre_m});
         }
+        std::stable_sort(
+            cells_[index(cell)].begin(), cells_[index(cell)].end(),
+            [](const Near& a, const Near& b) { return a.at_centre_m < b.at_centre_m; });
     }
 
     const Figure& figure_;
@@ -73,8 +88,8 @@ class NearField {
 /// How much of the space just above the surface is taken, [0, 1]: where the field grows slower
 /// than the height above the surface, something else is near.
 float occlusion_at(const NearField& field, const glm::vec3& p, const glm::vec3& normal) {
-    constexpr std::array kHeights_m{0.035F, 0.015F, 0.006F};
-    constexpr std::array kWeights{0.26F, 0.33F, 0.41F};
+    constexpr std::array kHeights_m{0.035F, 0.009F};
+    constexpr std::array kWeights{0.42F, 0.58F};
     float sum = 0.0F;
     for (std::size_t i = 0; i < kHeights_m.size(); ++i) {
         const float free_m = field.distance(p + normal * kHeights_m[i]);
@@ -134,6 +149,37 @@ renderer::Mesh card_of(const Wisp& wisp) {
     return card;
 }
 
+renderer::Mesh mesh_of(const Figure& figure, const FigurePart& part, const NearField& field) {
+    const bool soft = part.cloth == Cloth::kJacket || part.cloth == Cloth::kShirt ||
+                      part.cloth == Cloth::kTrousers;
+    const float coarser = soft ? kCoarserCloth : part.cloth == Cloth::kSkin ? 1.0F : kCoarser;
+    renderer::Mesh mesh =
+        polygonise(part.solid, coarser * part.cell_m,
+                   [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
+                       const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
+                       const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;
+                       return colour * (1.0F - part.painted_shade * occlusion_at(field, p, normal));
+                   });
+    mesh.name = figure.name + " " + part.name;
+    mesh.material = static_cast<std::uint32_t>(part.cloth);
+    project_box_uv(mesh);
+    for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= part.texture_m;
+    return mesh;
+}
+
+void add_small_parts(renderer::Scene& scene, const Figure& figure) {
+    renderer::Mesh wisps;
+    for (const Wisp& wisp : figure.wisps) append(wisps, card_of(wisp));
+    wisps.name = figure.name + " wisps";
+    wisps.material = static_cast<std::uint32_t>(Cloth::kWisps);
+    scene.meshes.push_back(std::move(wisps));
+    renderer::Mesh eyes;
+    for (const Eye& eye : figure.eyes) append(eyes, eyeball(eye));
+    eyes.name = figure.name + " eyes";
+    eyes.material = static_cast<std::uint32_t>(Cloth::kEye);
+    scene.meshes.push_back(std::move(eyes));
+}
+
 }  // namespace
 
 FigurePart& Figure::part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m) {
@@ -147,33 +193,14 @@ FigurePart& Figure::part(const std::string& part_name, Cloth cloth, float cell_m
 
 void add_to_scene(renderer::Scene& scene, const Figure& figure) {
     const NearField field(figure);
-    for (const FigurePart& part : figure.parts) {
-        const bool soft = part.cloth == Cloth::kJacket || part.cloth == Cloth::kShirt ||
-                          part.cloth == Cloth::kTrousers;
-        const float coarser = soft ? kCoarserCloth : part.cloth == Cloth::kSkin ? 1.0F : kCoarser;
-        renderer::Mesh mesh = polygonise(
-            part.solid, coarser * part.cell_m,
-            [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
-                const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
-                const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;
-                return colour * (1.0F - part.painted_shade * occlusion_at(field, p, normal));
-            });
-        mesh.name = figure.name + " " + part.name;
-        mesh.material = static_cast<std::uint32_t>(part.cloth);
-        project_box_uv(mesh);
-        for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= part.texture_m;
-        scene.meshes.push_back(std::move(mesh));
-    }
-    renderer::Mesh wisps;
-    for (const Wisp& wisp : figure.wisps) append(wisps, card_of(wisp));
-    wisps.name = figure.name + " wisps";
-    wisps.material = static_cast<std::uint32_t>(Cloth::kWisps);
-    scene.meshes.push_back(std::move(wisps));
-    renderer::Mesh eyes;
-    for (const Eye& eye : figure.eyes) append(eyes, eyeball(eye));
-    eyes.name = figure.name + " eyes";
-    eyes.material = static_cast<std::uint32_t>(Cloth::kEye);
-    scene.meshes.push_back(std::move(eyes));
+    // Parts at once, so that no core waits while a part is begun or put together.
+    std::vector<renderer::Mesh> meshes(figure.parts.size());
+    for_each_row(static_cast<int>(meshes.size()), [&](int row) {
+        const auto i = static_cast<std::size_t>(row);
+        meshes[i] = mesh_of(figure, figure.parts[i], field);
+    });
+    std::move(meshes.begin(), meshes.end(), std::back_inserter(scene.meshes));
+    add_small_parts(scene, figure);
 }
 
 }  // namespace obscura::stimuli::figures

@@ -33,6 +33,15 @@ struct Block {
     std::vector<renderer::Vertex> vertices;
     std::vector<Crossing> crossings;
     std::uint32_t first_vertex = 0;
+    std::vector<std::uint32_t> indices;
+};
+
+/// A cube of kLocalCells that the surface may pass through.
+struct Region {
+    glm::ivec3 origin{0};  ///< in cells
+    std::vector<Sculpture::Part> parts;
+    std::vector<ShapePtr> owners;  ///< of what stands in for parts here
+    std::vector<Block> blocks;
 };
 
 constexpr int cell_index(int x, int y, int z) { return (z * kCells + y) * kCells + x; }
@@ -50,10 +59,8 @@ class Mesher {
 
     renderer::Mesh run() {
         find_blocks();
-        const auto count = static_cast<int>(blocks_.size());
-        for_each_row(count, [this](int i) { sample(blocks_[static_cast<std::size_t>(i)]); });
-        for_each_row(count,
-                     [this](int i) { place_vertices(blocks_[static_cast<std::size_t>(i)]); });
+        for_each_block([this](Block& block) { sample(block); });
+        for_each_block([this](Block& block) { place_vertices(block); });
         return assemble();
     }
 
@@ -62,37 +69,71 @@ class Mesher {
         return origin_m_ + cells * cell_m_;
     }
 
+    void for_each_block(const std::function<void(Block&)>& work) {
+        for_each_row(static_cast<int>(blocks_.size()),
+                     [&](int i) { work(blocks_[static_cast<std::size_t>(i)]); });
+    }
+
     /// Halves the bounding cube until blocks remain that the surface may pass through.
     void find_blocks() {
         const Bounds bounds = sculpture_.bounds();
         origin_m_ = bounds.low - 2.0F * cell_m_;
         const glm::vec3 size = bounds.high - bounds.low + 4.0F * cell_m_;
-        int cells = kCells;
+        int cells = kLocalCells;
         while (static_cast<float>(cells) * cell_m_ < std::max({size.x, size.y, size.z})) cells *= 2;
         const auto parts = sculpture_.parts();
-        divide(glm::ivec3(0), cells, {parts.begin(), parts.end()});
-        for (std::size_t i = 0; i < blocks_.size(); ++i) index_[key_of(blocks_[i].origin)] = i;
+        divide(glm::ivec3(0), cells, {parts.begin(), parts.end()}, nullptr);
+        for_each_row(static_cast<int>(regions_.size()), [this](int i) {
+            Region& region = regions_[static_cast<std::size_t>(i)];
+            divide(region.origin, kLocalCells, region.parts, &region);
+        });
+        for (Region& region : regions_) {
+            for (Block& block : region.blocks) {
+                index_[key_of(block.origin)] = blocks_.size();
+                blocks_.push_back(std::move(block));
+            }
+        }
     }
 
-    void divide(const glm::ivec3& origin, int cells, const std::vector<Sculpture::Part>& above) {
+    /// Whether the surface may pass through a cube of `half` cells to each side.
+    [[nodiscard]] bool may_cross(const glm::vec3& centre, float half,
+                                 std::span<const Sculpture::Part> parts) const {
+        const float radius_m = std::sqrt(3.0F) * half * cell_m_;
+        const float middle = sculpture_.distance(centre, parts);
+        return middle <= kSlackOutside * radius_m && middle >= -kSlackInside * radius_m;
+    }
+
+    /// Adds regions, or within one its blocks.
+    void divide(const glm::ivec3& origin, int cells, const std::vector<Sculpture::Part>& above,
+                Region* region) {
         const float half = 0.5F * static_cast<float>(cells);
         const glm::vec3 centre = position(glm::vec3(origin) + half);
-        const float radius_m = std::sqrt(3.0F) * half * cell_m_ + cell_m_;
+        const float radius_m = std::sqrt(3.0F) * half * cell_m_ + cell_m_;  // gradients look on
         auto parts = sculpture_.near(centre, radius_m, above);
-        if (parts.empty()) return;
-        const float middle = sculpture_.distance(centre, parts);
-        if (middle > kSlackOutside * radius_m || middle < -kSlackInside * radius_m) return;
-        if (cells == kLocalCells) sculpture_.localise(centre, 2.0F * radius_m, parts, owners_);
+        if (parts.empty() || !may_cross(centre, half, parts)) return;
+        if (cells == kLocalCells) {
+            if (region == nullptr) {
+                regions_.push_back({origin, std::move(parts), {}, {}});
+                return;
+            }
+            sculpture_.localise(centre, 2.0F * radius_m, parts, region->owners);
+        }
         if (cells == kCells) {
-            blocks_.emplace_back();
-            blocks_.back().origin = origin;
-            blocks_.back().parts = std::move(parts);
+            bool crossed = false;
+            for (int child = 0; child < 8 && !crossed; ++child) {
+                const glm::vec3 off(child & 1, (child >> 1) & 1, child >> 2);
+                crossed = may_cross(centre + (off - 0.5F) * (half * cell_m_), 0.5F * half, parts);
+            }
+            if (!crossed) return;
+            Block& block = region->blocks.emplace_back();
+            block.origin = origin;
+            block.parts = std::move(parts);
             return;
         }
         const int step = cells / 2;
         for (int child = 0; child < 8; ++child) {
-            divide(origin + step * glm::ivec3(child & 1, (child >> 1) & 1, child >> 2), step,
-                   parts);
+            divide(origin + step * glm::ivec3(child & 1, (child >> 1) & 1, child >> 2), step, parts,
+                   region);
         }
     }
 
@@ -259,14 +300,17 @@ class Mesher {
             block.first_vertex = static_cast<std::uint32_t>(mesh.vertices.size());
             mesh.vertices.insert(mesh.vertices.end(), block.vertices.begin(), block.vertices.end());
         }
-        for (const Block& block : blocks_) {
+        for_each_block([&](Block& block) {
             for (const Crossing& crossing : block.crossings) add_quad(mesh, block, crossing);
+        });
+        for (const Block& block : blocks_) {
+            mesh.indices.insert(mesh.indices.end(), block.indices.begin(), block.indices.end());
         }
         return mesh;
     }
 
     /// The four cells around a crossed edge, split along the shorter diagonal.
-    void add_quad(renderer::Mesh& mesh, const Block& block, const Crossing& crossing) const {
+    void add_quad(const renderer::Mesh& mesh, Block& block, const Crossing& crossing) const {
         const glm::ivec3 cell = block.origin + glm::ivec3(crossing.x, crossing.y, crossing.z);
         glm::ivec3 u(0);
         glm::ivec3 v(0);
@@ -290,7 +334,7 @@ class Mesher {
                               place(corner[2]) == place(corner[0]);
             if (flat) continue;
             for (const std::size_t i : corner) {
-                mesh.indices.push_back(static_cast<std::uint32_t>(at[i]));
+                block.indices.push_back(static_cast<std::uint32_t>(at[i]));
             }
         }
     }
@@ -300,7 +344,7 @@ class Mesher {
     const Painter& painter_;
     glm::vec3 origin_m_{0.0F};
     std::vector<Block> blocks_;
-    std::vector<ShapePtr> owners_;
+    std::vector<Region> regions_;
     std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+// The accessibility at a sample of the image. The technique's is known once a pixel: of the pixel and
+// its three neighbours on the sample's side, that whose surface is nearest in depth, its own where
+// they differ little, so that nothing leaks over a silhouette.
+#ifndef SUPERSAMPLING
+#error the number of samples along a pixel's side must be defined
+#endif
+
+uniform sampler2D t_accessibility;
+#if SUPERSAMPLING > 1
+uniform sampler2D t_pixel_depth;    // positive view distance in metres
+#endif
+
+float accessibility_of_sample(ivec2 sampled, float depth_m) {
+#if SUPERSAMPLING > 1
+    ivec2 own = sampled / SUPERSAMPLING;
+    ivec2 last = textureSize(t_accessibility, 0) - 1;
+    ivec2 side = 2 * ((2 * (sampled - own * SUPERSAMPLING) + 1) / SUPERSAMPLING) - 1;
+    ivec2 nearest = own;
+    float least = 1.0e30;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 pixel = clamp(own + side * ivec2(i & 1, i >> 1), ivec2(0), last);
+        float difference = abs(1.0 / texelFetch(t_pixel_depth, pixel, 0).r - 1.0 / depth_m);
+        if (i == 0) difference *= 0.5;
+        if (difference < least) {
+            least = difference;
+            nearest = pixel;
+        }
+    }
+    return clamp(texelFetch(t_accessibility, nearest, 0).r, 0.0, 1.0);
+#else
+    return clamp(texelFetch(t_accessibility, sampled, 0).r, 0.0, 1.0);
+#endif
+}

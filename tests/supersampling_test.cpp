@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/context.h"
+#include "tests/test_scenes.h"
+
+namespace obscura::renderer {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+
+TechniqueChoice choice_of(const std::string& name, const std::string& denoise) {
+    TechniqueChoice choice;
+    choice.technique = name;
+    choice.samples = find_technique(name)->samples.standard;
+    choice.denoise = denoise;
+    return choice;
+}
+
+/// A box on a floor before a hedge with holes, behind a pane.
+Scene all_kinds() {
+    Scene scene = tests::empty_scene();
+    tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
+    tests::add_box(scene, {-1.0F, -1.0F, -6.0F}, {0.5F, 0.5F, -4.0F});
+    scene.textures.push_back(
+        {"holes", 2, 2, true, {90, 200, 90, 255, 0, 0, 0, 0, 0, 0, 0, 0, 90, 200, 90, 255}});
+    Material hedge;
+    hedge.albedo_texture = 0;
+    hedge.coverage = Coverage::kCutOut;
+    hedge.double_sided = true;
+    Material pane;
+    pane.coverage = Coverage::kBlended;
+    pane.opacity = 0.95F;
+    pane.albedo = glm::vec3(0.2F, 0.3F, 0.6F);
+    scene.materials.push_back(hedge);
+    scene.materials.push_back(pane);
+    tests::add_quad(scene, {-3.0F, -1.0F, -7.0F}, {6.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F});
+    scene.meshes.back().material = 1;
+    tests::add_quad(scene, {0.2F, -1.0F, -4.5F}, {1.5F, 0.0F, -1.0F}, {0.0F, 1.2F, 0.0F});
+    scene.meshes.back().material = 2;
+    return scene;
+}
+
+class Supersampling : public testing::Test {
+  protected:
+    Frame render(const Scene& scene, const TechniqueChoice& choice, const FrameOptions& options,
+                 const TracedAccessibility& traced = {}) {
+        const GpuScene gpu(scene);
+        return renderer_.render(gpu, {}, tests::forward_camera(), choice,
+                                plan_frame(needs_of(scene, {}), choice, kWidth, kHeight, options),
+                                traced);
+    }
+
+    HeadlessContext context_;
+    Renderer renderer_;
+};
+
+TEST_F(Supersampling, LeavesTheAccessibilityAsItIsWithOneSampleAPixel) {
+    const Scene scene = all_kinds();
+    for (const std::optional<float> occluding :
+         {std::optional<float>(), std::optional<float>(0.9F)}) {
+        for (const char* name : {"crytek", "blizzard", "raymarch"}) {
+            const TechniqueChoice choice = choice_of(name, "separable");
+            const Frame once = render(scene, choice, {.occluding_opacity = occluding});
+            for (const int samples : {2, 3, 4}) {
+                const Frame often = render(
+                    scene, choice, {.supersampling = samples, .occluding_opacity = occluding});
+                EXPECT_EQ(once.read_bytes(once.plan().final_accessibility()),
+                          often.read_bytes(often.plan().final_accessibility()))
+                    << name << ", " << samples << " samples a side";
+            }
+        }
+    }
+}
+
+TEST_F(Supersampling, LetsNoAccessibilityLeakOverASilhouette) {
+    // A slanted edge at 2 m before a wall at 10 m. The pixels that see the edge's left are a
+    // quarter open, the others three quarters.
+    Scene scene = tests::facing_wall(10.0F);
+    tests::add_quad(scene, {-8.0F, -4.0F, -2.0F}, {8.3F, 0.0F, 0.0F}, {-0.5F, 8.0F, 0.0F});
+    const TechniqueChoice choice = choice_of("reference", "none");
+    for (const int samples : {2, 3, 4}) {
+        const Frame depth = render(scene, choice_of("crytek", "none"), {});
+        const std::vector<float> depth_m = depth.read_floats(Target::kDepth);
+        const auto traced = [&](const Camera&, int, int, const TechniqueChoice&) {
+            std::vector<float> open;
+            for (const float z : depth_m) open.push_back(z < 5.0F ? 0.25F : 0.75F);
+            return open;
+        };
+        const Frame frame = render(scene, choice, {.supersampling = samples}, traced);
+        const std::vector<float> sample_depth_m = frame.read_floats(Target::kDepth);
+        const std::vector<float> shown = frame.read_components(Target::kDisplay, 1);
+        ASSERT_EQ(shown.size(), sample_depth_m.size());
+        int near = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const bool is_near = sample_depth_m[i] < 5.0F;
+            near += is_near ? 1 : 0;
+            // sRGB code values of 0.25 and 0.75, of 255.
+            ASSERT_NEAR(shown[i] * 255.0F, is_near ? 137.0F : 225.0F, 0.6F)
+                << samples << " samples a side, sample " << i;
+        }
+        EXPECT_GT(near, 1000 * samples);
+    }
+}
+
+TEST_F(Supersampling, MakesDepthAndAlbedoOnlyWhereTheTechniqueReadsNoMore) {
+    const FramePlan plan =
+        plan_frame({}, choice_of("crytek", "separable"), kWidth, kHeight, {.supersampling = 2});
+    EXPECT_EQ(plan.find(Target::kNormal), nullptr);
+    EXPECT_EQ(plan.find(Target::kOccluderNormal), nullptr);
+    EXPECT_EQ(plan.find(Target::kAmbient), nullptr);
+    EXPECT_EQ(plan.find(Target::kDepth)->width, 2 * kWidth);
+    EXPECT_EQ(plan.find(Target::kOccluderDepth)->width, kWidth);
+    EXPECT_EQ(plan.find(Target::kAccessibility)->width, kWidth);
+    EXPECT_EQ(plan_frame({}, choice_of("none", "none"), kWidth, kHeight, {.supersampling = 2})
+                  .find(Target::kDepth),
+              nullptr);
+}
+
+}  // namespace
+}  // namespace obscura::renderer

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/gl/context.h"
+#include "stimuli/stimulus.h"
+#include "tests/test_scenes.h"
+
+namespace obscura::stimuli {
+namespace {
+
+using renderer::Frame;
+using renderer::Pass;
+using renderer::PassTime;
+
+/// A study whose conditions ask for every technique in turn, so that each image meets the buffers
+/// of one that needed others.
+Study study_of_all_techniques(int supersampling) {
+    Study study = load_study("jakobsen2010");
+    study.width = 160;
+    study.height = 90;
+    study.supersampling = supersampling;
+    const std::vector<StudyScene> scenes = study.scenes;
+    study.conditions.clear();
+    for (const StudyScene& scene : scenes) {
+        for (const auto& [left, right] :
+             {std::pair("none", "crytek"), {"blizzard", "raymarch"}, {"crytek", "none"}}) {
+            Condition condition;
+            condition.id = scene.id + "-" + left;
+            condition.scene = scene.id;
+            const auto choice = [](const char* name) {
+                const int samples = renderer::find_technique(name)->samples.standard;
+                return renderer::TechniqueChoice{
+                    name, samples, {}, std::string(name) == "none" ? "none" : "separable"};
+            };
+            condition.a = choice(left);
+            condition.b = choice(right);
+            study.conditions.push_back(condition);
+        }
+    }
+    return study;
+}
+
+TEST(ViewBuffers, AnImageThatTakesThemOverIsTheSameToTheByte) {
+    const renderer::HeadlessContext context;
+    for (const int supersampling : {1, 2}) {
+        const Study study = study_of_all_techniques(supersampling);
+        StimulusRenderer renderer(study);
+        std::size_t taken_over = 0;
+        for (const Stimulus& stimulus : stimuli_of(study)) {
+            const Frame alone = renderer.render(stimulus);
+            const Frame next = renderer.render_next(stimulus);
+            EXPECT_TRUE(alone.taken_over().empty());
+            taken_over += next.taken_over().size();
+            EXPECT_TRUE(alone.read_display() == next.read_display()) << stimulus.file();
+            ASSERT_EQ(next.times.size(), next.plan().passes.size()) << stimulus.file();
+            for (std::size_t i = 0; i < next.times.size(); ++i) {
+                EXPECT_EQ(next.times[i].pass, next.plan().passes[i].pass);
+                EXPECT_GT(next.times[i].milliseconds, 0.0);
+            }
+        }
+        // Each view's light and shadows are made once; its surfaces at most three times.
+        EXPECT_GE(taken_over, 3 * study.scenes.size());
+    }
+}
+
+class TakenOver : public testing::Test {
+  protected:
+    Frame render(const renderer::TechniqueChoice& choice, const renderer::FrameOptions& options,
+                 const renderer::ViewBuffers& known = {}) {
+        return renderer_.render(gpu_, lighting_, tests::forward_camera(), choice,
+                                plan_frame(needs_of(scene_, lighting_), choice, 32, 32, options),
+                                {}, known);
+    }
+    static bool has(const Frame& frame, Pass pass) {
+        return std::any_of(frame.taken_over().begin(), frame.taken_over().end(),
+                           [pass](const PassTime& time) { return time.pass == pass; });
+    }
+
+    renderer::HeadlessContext context_;
+    renderer::Renderer renderer_;
+    renderer::Scene scene_ = tests::facing_wall(4.0F);
+    renderer::GpuScene gpu_{scene_};
+    renderer::Lighting lighting_;
+};
+
+TEST_F(TakenOver, ArePassesWhoseBuffersAreAllThere) {
+    const Frame crytek = render({"crytek", 24, {}, "none"}, {});
+    EXPECT_TRUE(has(render({"crytek", 8, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
+    // The normal that Blizzard reads is missing; None needs less than there is.
+    EXPECT_FALSE(
+        has(render({"blizzard", 24, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
+    EXPECT_TRUE(has(render({"none", 0, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
+    EXPECT_FALSE(
+        has(render({"crytek", 24, {}, "none"}, {}, crytek.view_buffers()), Pass::kAccessibility));
+}
+
+TEST_F(TakenOver, IsNothingOfAnotherSizeFormatOrOption) {
+    const Frame crytek = render({"crytek", 24, {}, "none"}, {});
+    EXPECT_TRUE(render({"crytek", 24, {}, "none"}, {.supersampling = 2}, crytek.view_buffers())
+                    .taken_over()
+                    .empty());
+    EXPECT_TRUE(
+        render({"crytek", 24, {}, "none"}, {.occluding_opacity = 0.5F}, crytek.view_buffers())
+            .taken_over()
+            .empty());
+    renderer::TechniqueChoice half{"crytek", 24, {}, "none"};
+    half.depth_format = "r16f";
+    EXPECT_TRUE(render(half, {}, crytek.view_buffers()).taken_over().empty());
+}
+
+}  // namespace
+}  // namespace obscura::stimuli
