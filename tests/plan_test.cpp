@@ -25,6 +25,7 @@ SceneNeeds high_needs() {
     needs.normal_mapping = true;
     needs.textures = true;
     needs.specular = true;
+    needs.roughness = true;
     needs.shadow_size = 2048;
     return needs;
 }
@@ -80,9 +81,10 @@ TEST(Plan, EverythingOnHasEveryPassAndLeavesNothingOut) {
 
 TEST(Plan, WhatASceneHasNotIsLeftOutWithAReason) {
     const FramePlan plan = plan_frame({}, choice_of("none"), 64, 64);
-    for (const char* what : {"normal", "depth", "emission", "shadow", "point shadow", "occluders",
-                             "accessibility", "denoise", "light", "sky", "blend", "tone map",
-                             "resolve", "cut-out test", "normal mapping", "albedo texture fetch"}) {
+    for (const char* what :
+         {"normal", "depth", "emission", "shadow", "point shadow", "occluders", "accessibility",
+          "denoise", "light", "sky", "blend", "tone map", "resolve", "cut-out test",
+          "normal mapping", "albedo texture fetch", "roughness texture fetch"}) {
         const auto found =
             std::find_if(plan.left_out.begin(), plan.left_out.end(),
                          [what](const LeftOut& left_out) { return left_out.what == what; });

@@ -7,6 +7,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
+#include "renderer/scene/surface_conversion.h"
 #include "tests/test_scenes.h"
 
 namespace obscura::renderer {
@@ -219,6 +220,34 @@ TEST_F(Surface, EmittedLightIsAddedAndBakedAccessibilityScalesAmbientLightOnly) 
         const double open = 1.0 + strength * (128.0 / 255.0 - 1.0);
         EXPECT_NEAR(middle(render(scene, lighting)), srgb(0.5 * (0.4 * open + 0.2) + 0.1), 1.0);
     }
+}
+
+TEST_F(Surface, ATextureOfRoughnessGivesTheHighlightOfThatRoughness) {
+    // Roughness 128 / 255 of a factor 0.9, half of it metal.
+    const double roughness = 0.9 * 128.0 / 255.0;
+    Scene textured = tests::facing_wall(4.0F);
+    textured.textures.push_back({"half", 1, 1, false, {0, 128, 128, 255}});
+    textured.materials[0].albedo = glm::vec3(0.3F, 0.2F, 0.1F);
+    textured.materials[0].specular_intensity = 0.04F;
+    Scene plain = textured;
+    textured.materials[0].roughness_texture = 0;
+    textured.materials[0].roughness = 0.9F;
+    textured.materials[0].metalness = 1.0F;
+    const double metal = (0.2126 * 0.3 + 0.7152 * 0.2 + 0.0722 * 0.1) * (1.0 - roughness);
+    plain.materials[0].specular_intensity =
+        static_cast<float>(std::lerp(0.04, metal, 128.0 / 255.0));
+    plain.materials[0].specular_power = blinn_phong_power(roughness);
+    Lighting lighting;
+    lighting.lights.push_back({glm::normalize(glm::vec3(0.2F, 0.1F, 1.0F)), glm::vec3(0.8F)});
+    const Frame wanted = render(plain, lighting);
+    const Frame met = render(textured, lighting);
+    ASSERT_TRUE(met.plan().needs.roughness);
+    for (const int column : {8, 24, 32, 40, 56}) {
+        EXPECT_NEAR(at(met, column, 32), at(wanted, column, 32), 1) << column;
+    }
+    EXPECT_GT(middle(met), at(met, 2, 60) + 5) << "no highlight";
+    // Without lights there are no highlights, and nobody looks at the texture.
+    EXPECT_FALSE(render(textured, {}).plan().needs.roughness);
 }
 
 TEST_F(Surface, SupersamplingAveragesInLinearLightAndLeavesFlatPartsAlone) {

@@ -183,6 +183,11 @@ void GltfWriter::add_material(const Material& material) {
          {material.albedo.r, material.albedo.g, material.albedo.b, material.opacity}},
         {"metallicFactor", 0.0},
         {"roughnessFactor", roughness_of_power(static_cast<double>(material.specular_power))}};
+    if (material.roughness_texture != kNoTexture) {
+        pbr["metallicFactor"] = material.metalness;
+        pbr["roughnessFactor"] = material.roughness;
+        pbr["metallicRoughnessTexture"] = texture_use(material.roughness_texture);
+    }
     if (material.albedo_texture != kNoTexture) {
         pbr["baseColorTexture"] = texture_use(material.albedo_texture);
     }

@@ -24,6 +24,7 @@ SceneNeeds needs_of_everything(const Scene& scene, const Lighting& lighting) {
     needs.normal_mapping = lighting.normal_mapping;
     needs.textures = true;
     needs.specular = true;
+    needs.roughness = true;
     needs.cut_out = true;
     needs.blended = true;
     needs.emission = true;

@@ -3,6 +3,7 @@
 #include "renderer/frame/gpu_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 
@@ -10,6 +11,11 @@
 
 namespace obscura::renderer {
 namespace {
+
+std::array<TextureIndex, 5> textures_of(const Material& material) {
+    return {material.albedo_texture, material.normal_texture, material.roughness_texture,
+            material.emissive_texture, material.occlusion_texture};
+}
 
 void check_scene(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes) {
@@ -26,8 +32,7 @@ void check_scene(const Scene& scene) {
     }
     const auto count = static_cast<TextureIndex>(scene.textures.size());
     for (const Material& material : scene.materials) {
-        for (const TextureIndex index : {material.albedo_texture, material.normal_texture,
-                                         material.emissive_texture, material.occlusion_texture}) {
+        for (const TextureIndex index : textures_of(material)) {
             if (index < kNoTexture || index >= count) {
                 throw base::bad_input("scene {}, material {}: texture {} of {}", scene.name,
                                       material.name, index, count);
@@ -36,16 +41,19 @@ void check_scene(const Scene& scene) {
     }
 }
 
-/// Whether a surface with holes or seen-through uses the texture. Leaves are drawn by small cards,
-/// some of them edge on; Mesa's software rasterizer filters such with anisotropy without end.
-bool is_of_leaves(const Scene& scene, const Texture& texture) {
+/// Whether blur along the view does no harm: the texture tells roughness only, or a surface with
+/// holes or seen-through uses it. Leaves are drawn by small cards, some of them edge on; Mesa's
+/// software rasterizer filters such with anisotropy without end.
+bool may_blur(const Scene& scene, const Texture& texture) {
     const auto index = static_cast<TextureIndex>(&texture - scene.textures.data());
-    return std::any_of(
-        scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
-            return material.coverage != Coverage::kOpaque &&
-                   (material.albedo_texture == index || material.normal_texture == index ||
-                    material.emissive_texture == index || material.occlusion_texture == index);
-        });
+    bool only_roughness = true;
+    for (const Material& material : scene.materials) {
+        const auto used = textures_of(material);
+        const auto uses = std::count(used.begin(), used.end(), index);
+        if (uses > 0 && material.coverage != Coverage::kOpaque) return true;
+        if (uses > (material.roughness_texture == index ? 1 : 0)) only_roughness = false;
+    }
+    return only_roughness;
 }
 
 gl::Texture upload(const Scene& scene, const Texture& texture) {
@@ -66,7 +74,7 @@ gl::Texture upload(const Scene& scene, const Texture& texture) {
     glTextureParameteri(result.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(result.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameterf(result.name(), GL_TEXTURE_MAX_ANISOTROPY,
-                        is_of_leaves(scene, texture) ? 1.0F : 4.0F);
+                        may_blur(scene, texture) ? 1.0F : 4.0F);
     return result;
 }
 

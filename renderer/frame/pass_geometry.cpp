@@ -18,8 +18,11 @@ Renderer::Defines Renderer::surface_defines(const SceneNeeds& needs, bool normal
     if (normal) defines.emplace_back("NORMAL");
     if (needs.textures) defines.emplace_back("TEXTURES");
     if (normal_mapping) defines.emplace_back("NORMAL_MAPPING");
+    if (needs.roughness) defines.emplace_back("ROUGHNESS");
     if (needs.emission) defines.emplace_back("EMISSION");
-    if (needs.textures || normal_mapping || needs.emission) defines.emplace_back("UV");
+    if (needs.textures || normal_mapping || needs.roughness || needs.emission) {
+        defines.emplace_back("UV");
+    }
     return defines;
 }
 
@@ -37,6 +40,11 @@ void Renderer::set_surface(Job& job, gl::Program& program, const Material& mater
     program.set("u_specular_power", material.specular_power);
     if (needs.textures) map("u_has_albedo_map", "t_albedo_map", material.albedo_texture, 0);
     if (needs.normal_mapping) map("u_has_normal_map", "t_normal_map", material.normal_texture, 1);
+    if (needs.roughness) {
+        map("u_has_roughness_map", "t_roughness_map", material.roughness_texture, 8);
+        program.set("u_roughness", material.roughness);
+        program.set("u_metalness", material.metalness);
+    }
     if (needs.emission) {
         map("u_has_emissive_map", "t_emissive_map", material.emissive_texture, 2);
         map("u_has_occlusion_map", "t_occlusion_map", material.occlusion_texture, 3);

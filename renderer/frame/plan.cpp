@@ -114,6 +114,9 @@ void Planner::plan_geometry() {
     }
     if (!needs().normal_mapping) leave_out("normal mapping", "the scene asks for none");
     if (!needs().textures) leave_out("albedo texture fetch", "no material has a texture");
+    if (!needs().roughness) {
+        leave_out("roughness texture fetch", "no material or no light has any use for it");
+    }
     if (!needs().cut_out) leave_out("cut-out test", "no material has holes");
 }
 
@@ -275,6 +278,9 @@ SceneNeeds needs_of(const Scene& scene, const Lighting& lighting) {
         if (material.normal_texture != kNoTexture) needs.normal_mapping = lighting.normal_mapping;
         if (material.albedo_texture != kNoTexture) needs.textures = true;
         if (material.specular_intensity > 0.0F && needs.direct_light()) needs.specular = true;
+        if (material.roughness_texture != kNoTexture && needs.direct_light()) {
+            needs.specular = needs.roughness = true;
+        }
         if (material.coverage == Coverage::kCutOut) needs.cut_out = true;
         if (material.coverage == Coverage::kBlended) needs.blended = true;
         if (material.emissive != glm::vec3(0.0F)) needs.emission = true;

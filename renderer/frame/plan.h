@@ -46,6 +46,7 @@ struct SceneNeeds {
     bool normal_mapping = false;  ///< asked for, and some material has a normal map
     bool textures = false;        ///< some material has an albedo texture
     bool specular = false;        ///< some material has a specular intensity, and there are lights
+    bool roughness = false;       ///< some material has a roughness texture, and there are lights
     bool cut_out = false;         ///< some material has holes
     bool blended = false;         ///< some material is seen through
     bool emission = false;        ///< some material sends out light or has baked accessibility

@@ -89,10 +89,12 @@ void GltfMaterials::read_material(const JsonCursor& cursor, const std::string& n
     read_textures(cursor, surface);
 
     Material& material = surface.material;
+    // With a texture the shader mixes in the metal, texel by texel.
+    const bool textured = material.roughness_texture != kNoTexture;
     const float metal = luminance(material.albedo) * static_cast<float>(1.0 - surface.roughness);
-    material.specular_intensity = std::clamp(glm::mix(static_cast<float>(surface.reflectance),
-                                                      metal, static_cast<float>(surface.metallic)),
-                                             0.0F, 1.0F);
+    const float metalness = textured ? 0.0F : static_cast<float>(surface.metallic);
+    material.specular_intensity =
+        std::clamp(glm::mix(static_cast<float>(surface.reflectance), metal, metalness), 0.0F, 1.0F);
     material.specular_power = blinn_phong_power(surface.roughness);
     if (surface.metallic > 0.5) {
         notes_.add(
@@ -203,11 +205,13 @@ void GltfMaterials::read_textures(const JsonCursor& cursor, Surface& surface) {
     if (lies_alike(normal, surface, "normal")) {
         material.normal_texture = texture(*normal, false, normal->info.number("scale", 1.0), "");
     }
-    if (surface.metallic_roughness) {
-        const glm::vec3 mean = mean_of(*surface.metallic_roughness);
+    if (lies_alike(surface.metallic_roughness, surface, "metallic-roughness")) {
+        material.roughness = static_cast<float>(surface.roughness);
+        material.metalness = static_cast<float>(surface.metallic);
+        material.roughness_texture = texture(*surface.metallic_roughness, false, 1.0, "");
+        const glm::vec3 mean = mean_of(material.roughness_texture);
         surface.roughness *= static_cast<double>(mean.y);
         surface.metallic *= static_cast<double>(mean.z);
-        notes_.add("metallic-roughness textures are replaced by their mean", material.name);
     }
     const auto occlusion = find_use(cursor, "occlusionTexture");
     if (lies_alike(occlusion, surface, "occlusion")) {
@@ -308,26 +312,17 @@ TextureIndex GltfMaterials::texture(const Use& use, bool srgb, double normal_sca
     return index;
 }
 
-glm::vec3 GltfMaterials::mean_of(const Use& use) {
-    const auto image = image_of(use);
-    const std::size_t key = image.value_or(~std::size_t{0});
-    if (const auto known = means_.find(key); known != means_.end()) return known->second;
-    glm::vec3 mean(1.0F);
-    std::string why = "it names no image that is known here";
-    const auto decoded = image ? decode(*image, false, why) : std::nullopt;
-    if (decoded) {
-        glm::dvec3 sum(0.0);
-        for (std::size_t i = 0; i < decoded->rgba.size(); i += 4) {
-            sum += glm::dvec3(decoded->rgba[i], decoded->rgba[i + 1], decoded->rgba[i + 2]);
-        }
-        mean = sum / (255.0 * static_cast<double>(decoded->rgba.size() / 4));
-        decoder_.give_back(*decoded);
-    } else {
-        notes_.add(fmt::format("texture {}: {}; left out",
-                               image ? name_of_image(*image) : "without image", why));
+glm::vec3 GltfMaterials::mean_of(TextureIndex index) {
+    if (index == kNoTexture) return glm::vec3(1.0F);
+    const auto [known, fresh] = means_.try_emplace(index, 0.0F);
+    if (!fresh) return known->second;
+    const std::vector<std::uint8_t>& rgba = scene_.textures[static_cast<std::size_t>(index)].rgba;
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        sum += glm::dvec3(rgba[i], rgba[i + 1], rgba[i + 2]);
     }
-    means_.emplace(key, mean);
-    return mean;
+    known->second = sum / (255.0 * static_cast<double>(rgba.size() / 4));
+    return known->second;
 }
 
 }  // namespace obscura::renderer::import_detail

@@ -32,7 +32,8 @@ struct UvMapping {
 ///
 /// Metallic-roughness surfaces become what the G-buffer holds: the albedo is the base colour, the
 /// power follows from the roughness and the specular intensity from the index of refraction and
-/// KHR_materials_specular (renderer/scene/surface_conversion.h). There are no reflections of the
+/// KHR_materials_specular (renderer/scene/surface_conversion.h), texel by texel where there is a
+/// texture. There are no reflections of the
 /// surroundings, so a metal keeps its base colour as albedo, which is what it reflects in even
 /// light, and a highlight of base colour times (1 - roughness).
 class GltfMaterials {
@@ -77,7 +78,8 @@ class GltfMaterials {
     /// Index of the texture in the scene; kNoTexture, with a note, where it cannot be read.
     [[nodiscard]] TextureIndex texture(const Use& use, bool srgb, double normal_scale,
                                        const char* instead);
-    [[nodiscard]] glm::vec3 mean_of(const Use& use);
+    /// Of all its texels, [0, 1]; 1 without a texture.
+    [[nodiscard]] glm::vec3 mean_of(TextureIndex index);
 
     const GltfFile& file_;
     FilesRead& files_;
@@ -87,7 +89,7 @@ class GltfMaterials {
     std::vector<UvMapping> mappings_;
     std::optional<std::uint32_t> standard_;
     std::map<std::tuple<std::size_t, bool, double>, TextureIndex> textures_;
-    std::map<std::size_t, glm::vec3> means_;
+    std::map<TextureIndex, glm::vec3> means_;
 };
 
 }  // namespace obscura::renderer::import_detail

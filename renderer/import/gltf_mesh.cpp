@@ -166,7 +166,8 @@ void PrimitiveReader::read_uv(const UvMapping& mapping) {
     const Mesh& mesh = result_.mesh;
     const Material& material = materials_.material(mesh.material);
     if (uv == nullptr) {
-        if (material.albedo_texture != kNoTexture || material.normal_texture != kNoTexture) {
+        if (material.albedo_texture != kNoTexture || material.normal_texture != kNoTexture ||
+            material.roughness_texture != kNoTexture) {
             notes_.add("meshes without the texture coordinates that their material asks for",
                        mesh.name);
         }

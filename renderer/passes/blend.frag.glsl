@@ -17,6 +17,7 @@ layout(location = 0) out vec4 o_color;
 void main() {
     float alpha = clamp(surface_alpha(), 0.0, 1.0);
     vec3 n = surface_normal();
+    vec3 albedo = surface_albedo();
 #ifdef ENVIRONMENT
     vec3 light = irradiance(u_world_from_view * n);
 #else
@@ -34,11 +35,12 @@ void main() {
     added += emission.rgb * alpha;
 #endif
 #ifdef DIRECT
-    vec4 direct = direct_light(v_view_position, n, u_specular_power);
+    vec2 specular = surface_specular(albedo);
+    vec4 direct = direct_light(v_view_position, n, specular.y);
     light += direct.rgb;
 #ifdef SPECULAR
-    added += u_specular_intensity * direct.a;
+    added += specular.x * direct.a;
 #endif
 #endif
-    o_color = vec4(surface_albedo() * light * alpha + added, alpha);
+    o_color = vec4(albedo * light * alpha + added, alpha);
 }

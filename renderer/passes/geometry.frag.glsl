@@ -23,9 +23,11 @@ void main() {
 #ifdef CUT_OUT
     if (surface_alpha() < u_alpha_cutoff) discard;
 #endif
-    o_albedo = vec4(surface_albedo(), u_specular_intensity);
+    vec3 albedo = surface_albedo();
+    vec2 specular = surface_specular(albedo);
+    o_albedo = vec4(albedo, specular.x);
 #ifdef NORMAL
-    o_normal = vec4(encode_normal(surface_normal()), u_specular_power / 255.0);
+    o_normal = vec4(encode_normal(surface_normal()), specular.y / 255.0);
 #endif
 #ifdef DEPTH
     o_depth_m = -v_view_position.z;

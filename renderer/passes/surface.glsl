@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 // A material at a fragment: colour, coverage, normal and the light it sends out. Each part is there
-// where its define is: UV, TEXTURES, NORMAL, NORMAL_MAPPING, EMISSION.
+// where its define is: UV, TEXTURES, NORMAL, NORMAL_MAPPING, ROUGHNESS, EMISSION.
 in vec3 v_view_position;
 in vec4 v_color;
 #ifdef NORMAL
@@ -18,6 +18,12 @@ in vec2 v_uv;
 #ifdef TEXTURES
 uniform sampler2D t_albedo_map;
 uniform int u_has_albedo_map;
+#endif
+#ifdef ROUGHNESS
+uniform sampler2D t_roughness_map;  // green: roughness, blue: metalness
+uniform int u_has_roughness_map;
+uniform float u_roughness;
+uniform float u_metalness;
 #endif
 #ifdef EMISSION
 uniform sampler2D t_emissive_map;
@@ -46,6 +52,22 @@ float surface_alpha() {
     if (u_has_albedo_map != 0) alpha *= textureLod(t_albedo_map, v_uv, 0.0).a;
 #endif
     return alpha;
+}
+
+// Intensity, [0, 1], and exponent, [1, 255], of the highlight. Roughness becomes an exponent as in
+// scene/surface_conversion.h.
+vec2 surface_specular(vec3 albedo) {
+    vec2 specular = vec2(u_specular_intensity, u_specular_power);
+#ifdef ROUGHNESS
+    if (u_has_roughness_map != 0) {
+        vec2 map = texture(t_roughness_map, v_uv).gb * vec2(u_roughness, u_metalness);
+        float metal = dot(albedo, vec3(0.2126, 0.7152, 0.0722)) * (1.0 - map.x);
+        float alpha = max(map.x * map.x, 1.0e-4);
+        specular = vec2(clamp(mix(u_specular_intensity, metal, map.y), 0.0, 1.0),
+                        clamp(2.0 / (alpha * alpha) - 2.0, 1.0, 255.0));
+    }
+#endif
+    return specular;
 }
 
 #ifdef EMISSION

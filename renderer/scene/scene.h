@@ -43,9 +43,14 @@ struct Material {
     std::string name;
     glm::vec3 albedo{1.0F};           ///< linear factor of the texture, [0, 1]
     float specular_intensity = 0.0F;  ///< [0, 1]
-    float specular_power = 16.0F;     ///< Blinn-Phong exponent, [1, 255]
+    float specular_power = 16.0F;     ///< Blinn-Phong exponent, [1, 255]; of a roughness texture
+                                      ///< where there is one
     TextureIndex albedo_texture = kNoTexture;
-    TextureIndex normal_texture = kNoTexture;  ///< tangent space, +Y towards +v, 128 = 0
+    TextureIndex normal_texture = kNoTexture;     ///< tangent space, +Y towards +v, 128 = 0
+    TextureIndex roughness_texture = kNoTexture;  ///< green: roughness, blue: metalness (glTF 2.0)
+    float roughness = 1.0F;                       ///< factor of the texture's, [0, 1]
+    float metalness = 0.0F;  ///< the same; a metal's intensity is its albedo's luminance times
+                             ///< (1 - roughness)
     bool double_sided = false;
     Coverage coverage = Coverage::kOpaque;
     float opacity = 1.0F;                         ///< factor of the texture's alpha, [0, 1]

@@ -49,6 +49,8 @@ std::vector<std::string> asked_of_renderer(const Scene& scene) {
     add(any([](const Material& m) { return m.albedo_texture != kNoTexture; }), "albedo textures");
     add(any([](const Material& m) { return m.normal_texture != kNoTexture; }), "normal maps");
     add(any([](const Material& m) { return m.specular_intensity > 0.0F; }), "highlights");
+    add(any([](const Material& m) { return m.roughness_texture != kNoTexture; }),
+        "roughness textures");
     add(any([](const Material& m) { return m.coverage == Coverage::kCutOut; }), "cut-outs");
     add(any([](const Material& m) { return m.coverage == Coverage::kBlended; }),
         "blended surfaces");
@@ -80,9 +82,12 @@ std::string material_line(const Scene& scene, const Material& material) {
     };
     texture("albedo texture", material.albedo_texture);
     texture("normal map", material.normal_texture);
+    texture("roughness texture", material.roughness_texture);
     if (material.specular_intensity > 0.0F) {
-        line += fmt::format(", highlight {:.3g} of power {:.3g}", material.specular_intensity,
-                            material.specular_power);
+        line += fmt::format(", highlight {:.3g}", material.specular_intensity);
+        if (material.roughness_texture == kNoTexture) {
+            line += fmt::format(" of power {:.3g}", material.specular_power);
+        }
     }
     if (material.coverage == Coverage::kCutOut) {
         line += fmt::format(", cut out below alpha {:g}", material.alpha_cutoff);

@@ -27,7 +27,10 @@ Scene small_scene() {
         normals.rgba[4 * i] = static_cast<std::uint8_t>(i % 5 == 0 ? 160 : 128);
     }
     normals.srgb = false;
-    scene.textures = {stripes, normals};
+    Texture gloss = plain_texture(4, {0, 140, 0, 255});
+    for (std::size_t i = 0; i < 16; ++i) gloss.rgba[4 * i + 1] = static_cast<std::uint8_t>(9 * i);
+    gloss.srgb = false;
+    scene.textures = {stripes, normals, gloss};
     Material painted{.name = "painted", .albedo = {0.9F, 0.8F, 0.7F}};
     painted.specular_intensity = 0.3F;
     painted.specular_power = 40.0F;
@@ -35,13 +38,19 @@ Scene small_scene() {
     painted.normal_texture = 1;
     Material glowing{.name = "glowing", .double_sided = true};
     glowing.emissive = {3.0F, 1.5F, 0.0F};
-    scene.materials = {painted, glowing, {.name = "matt", .specular_intensity = 0.0F}};
+    Material worn{.name = "worn", .specular_intensity = 0.1F};
+    worn.roughness_texture = 2;
+    worn.roughness = 0.9F;
+    worn.metalness = 0.2F;
+    scene.materials = {painted, glowing, {.name = "matt", .specular_intensity = 0.0F}, worn};
     tests::add_quad(scene, {-4.0F, -1.0F, 0.0F}, {8.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -10.0F});
     scene.meshes.back().material = 2;
     tests::add_box(scene, {-1.0F, -1.0F, -6.0F}, {0.5F, 0.5F, -4.0F});
     tests::add_quad(scene, {0.7F, -0.9F, -4.0F}, {0.5F, 0.0F, 0.0F}, {0.0F, 0.5F, 0.0F});
     scene.meshes.back().material = 1;
     for (Vertex& vertex : scene.meshes[2].vertices) vertex.color = {255, 130, 7, 255};
+    tests::add_quad(scene, {-2.4F, -1.0F, -5.0F}, {1.0F, 0.0F, 0.2F}, {0.0F, 1.6F, 0.0F});
+    scene.meshes.back().material = 3;
     Camera camera = tests::forward_camera();
     camera.position_m = {0.31F, 0.47F, 1.1F};
     camera.target_m = {-0.2F, -0.1F, -5.0F};
@@ -92,13 +101,19 @@ TEST(Export, ImportingAgainGivesTheSameGeometrySurfacesAndViews) {
         const Material& after = imported.scene.materials[m];
         EXPECT_EQ(after.name, before.name);
         EXPECT_NEAR(after.specular_intensity, before.specular_intensity, 1e-5F);
-        EXPECT_NEAR(after.specular_power, before.specular_power, 1e-3F);
+        EXPECT_EQ(after.roughness_texture, before.roughness_texture < 0 ? kNoTexture : 2);
+        if (before.roughness_texture == kNoTexture) {
+            EXPECT_NEAR(after.specular_power, before.specular_power, 1e-3F);
+        } else {
+            EXPECT_FLOAT_EQ(after.roughness, before.roughness);
+            EXPECT_FLOAT_EQ(after.metalness, before.metalness);
+        }
         EXPECT_NEAR(glm::distance(after.emissive, before.emissive), 0.0F, 1e-5F);
         EXPECT_EQ(after.double_sided, before.double_sided);
         EXPECT_EQ(after.coverage, before.coverage);
     }
-    ASSERT_EQ(imported.scene.textures.size(), 2U);
-    for (std::size_t t = 0; t < 2; ++t) {
+    ASSERT_EQ(imported.scene.textures.size(), 3U);
+    for (std::size_t t = 0; t < 3; ++t) {
         EXPECT_EQ(imported.scene.textures[t].rgba, scene.textures[t].rgba);
         EXPECT_EQ(imported.scene.textures[t].srgb, scene.textures[t].srgb);
     }

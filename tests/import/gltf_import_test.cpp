@@ -174,16 +174,37 @@ TEST(GltfImport, AMetalIsNotedAsApproximated) {
     EXPECT_NEAR(imported.scene.materials[0].specular_intensity, 0.75F, 1e-5F);
 }
 
-TEST(GltfImport, AMetallicRoughnessTextureCountsByItsMean) {
+TEST(GltfImport, AMetallicRoughnessTextureIsKeptWithItsFactors) {
     GlbMaker glb = triangle_glb();
     const int texture = glb.add_image(plain_texture(4, {0, 51, 0, 255}));  // roughness 0.2
     glb.json["materials"][0]["pbrMetallicRoughness"] = {
-        {"metallicRoughnessTexture", {{"index", texture}}}, {"roughnessFactor", 1.0}};
+        {"metallicRoughnessTexture", {{"index", texture}}},
+        {"roughnessFactor", 0.8},
+        {"metallicFactor", 0.6}};
     const ImportedScene imported = glb.import();
-    EXPECT_NEAR(imported.scene.materials[0].specular_power, 255.0F, 1e-3F);
-    EXPECT_NEAR(imported.scene.materials[0].specular_intensity, 0.04F, 1e-6F);
-    EXPECT_TRUE(imported.scene.textures.empty());
-    EXPECT_THAT(imported.notes, Contains(HasSubstr("replaced by their mean")));
+    const Material& material = imported.scene.materials[0];
+    ASSERT_EQ(material.roughness_texture, 0);
+    EXPECT_EQ(imported.scene.textures[0].rgba[1], 51);
+    EXPECT_FALSE(imported.scene.textures[0].srgb);
+    EXPECT_FLOAT_EQ(material.roughness, 0.8F);
+    EXPECT_FLOAT_EQ(material.metalness, 0.6F);
+    // Of the part that is no metal; the texture says where there is none.
+    EXPECT_NEAR(material.specular_intensity, 0.04F, 1e-6F);
+    EXPECT_THAT(imported.notes, testing::Not(Contains(HasSubstr("metal"))));
+}
+
+TEST(GltfImport, AMissingMetallicRoughnessTextureLeavesTheFactors) {
+    GlbMaker glb = triangle_glb();
+    glb.json["images"].push_back({{"uri", "absent.png"}});
+    glb.json["textures"].push_back({{"source", 0}});
+    glb.json["materials"][0]["pbrMetallicRoughness"] = {
+        {"metallicRoughnessTexture", {{"index", 0}}},
+        {"roughnessFactor", 0.5},
+        {"metallicFactor", 0.0}};
+    const ImportedScene imported = glb.import();
+    EXPECT_EQ(imported.scene.materials[0].roughness_texture, kNoTexture);
+    EXPECT_NEAR(imported.scene.materials[0].specular_power, blinn_phong_power(0.5), 1e-3F);
+    EXPECT_THAT(imported.notes, Contains(HasSubstr("absent.png")));
 }
 
 TEST(GltfImport, MissingTangentsPointAlongUAndTheBitangentUpInTheImage) {

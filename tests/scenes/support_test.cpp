@@ -174,6 +174,13 @@ TEST(TextureMaker, NormalsLeanAwayFromTheSlope) {
     EXPECT_EQ(baked.albedo.rgba[2], 255);
     EXPECT_TRUE(baked.albedo.srgb);
     EXPECT_FALSE(baked.normal.srgb);
+    EXPECT_FALSE(baked.roughness.has_value());
+    recipe.roughness = true;
+    const BakedTextures rough = bake(recipe);
+    ASSERT_TRUE(rough.roughness.has_value());
+    EXPECT_FALSE(rough.roughness->srgb);
+    EXPECT_EQ(rough.roughness->rgba[1], 255);  // nothing said: fully rough
+    EXPECT_EQ(rough.roughness->rgba[2], 0);    // and no metal
 }
 
 TEST(TextureMaker, SrgbCodesSurviveTheRoundTrip) {

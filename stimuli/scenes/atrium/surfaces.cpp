@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "stimuli/scenes/atrium/parts.h"
+#include "stimuli/scenes/support/assembly.h"
 #include "stimuli/scenes/support/noise.h"
-#include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli::atrium {
 namespace {
@@ -74,6 +74,7 @@ Texel limestone(vec2 uv, vec2 offset) {
                             glm::clamp(0.5F + 0.9F * broad, 0.0F, 1.0F));
     texel.albedo *= (1.0F + 0.16F * fine) * (1.0F - 0.35F * hole);
     texel.height_m = 0.0016F * broad + 0.0011F * fine - 0.0022F * hole;
+    texel.roughness = 0.60F + 0.12F * fine + 0.30F * hole - 0.10F * broad;
     return texel;
 }
 
@@ -93,6 +94,7 @@ Texel ashlar(vec2 uv) {
     texel.albedo *= 0.80F + 0.20F * glm::smoothstep(0.008F, 0.06F, edge);
     const vec3 mortar = colour<0x6f6555>() * (1.0F + 0.25F * wobble.x);
     texel.albedo = glm::mix(mortar, texel.albedo, inside);
+    texel.roughness = glm::mix(0.90F, texel.roughness + 0.12F * (tone - 0.5F), inside);
     const float pillow = glm::smoothstep(0.0F, 0.045F, edge);
     texel.height_m = glm::mix(
         -0.007F, texel.height_m * 1.6F + 0.003F * pillow + 0.003F * (unit_of(block.id, 5) - 0.5F),
@@ -110,6 +112,7 @@ Texel brickwork(vec2 uv, vec2 size_m, glm::ivec2 counts) {
     Texel texel;
     texel.albedo = glm::mix(colour<0xa89a86>(), clay, inside) * (1.0F + 0.22F * grit);
     texel.height_m = -0.016F + inside * (0.006F + 0.0015F * grit);
+    texel.roughness = glm::mix(0.92F, 0.70F + 0.15F * grit, inside);
     return texel;
 }
 
@@ -135,10 +138,12 @@ Texel plaster(vec2 uv) {
     texel.albedo = glm::mix(texel.albedo, colour<0xcbb89b>(), 0.6F * repaired);
     texel.albedo *= 1.0F + 0.06F * fine - 0.35F * crack + 0.12F * lip;
     texel.height_m = 0.003F * medium + 0.0006F * fine - 0.002F * crack + 0.001F * repaired;
+    texel.roughness = 0.72F + 0.12F * medium + 0.08F * fine - 0.06F * repaired;
     if (gone <= 0.0F) return texel;
     const Texel brick = brickwork(uv, size_m, {32, 52});
     texel.albedo = glm::mix(texel.albedo, brick.albedo, gone);
     texel.height_m = glm::mix(texel.height_m, brick.height_m, gone);
+    texel.roughness = glm::mix(texel.roughness, brick.roughness, gone);
     return texel;
 }
 
@@ -166,6 +171,10 @@ Texel floor_tiles(vec2 uv) {
     texel.albedo *= 1.0F - 0.18F * vein;
     texel.albedo = glm::mix(colour<0x6f6455>(), texel.albedo, inside);
     texel.height_m = glm::mix(-0.006F, 0.0012F * broad + 0.0004F * fine, inside);
+    // Trodden smooth where no scratch is, dusty in the joints.
+    const float trodden = glm::smoothstep(-0.3F, 0.3F, noise(uv * 2.0F + 0.83F));
+    texel.roughness = glm::mix(
+        0.90F, 0.56F - 0.14F * trodden + 0.16F * scratch + 0.06F * fine - 0.05F * vein, inside);
     return texel;
 }
 
@@ -181,6 +190,7 @@ Texel wood(vec2 uv) {
                             glm::clamp(0.5F + 0.9F * grain, 0.0F, 1.0F));
     texel.albedo *= (1.0F + 0.2F * fibre + 0.2F * bend) * (1.0F - 0.6F * split);
     texel.height_m = 0.0012F * grain + 0.0006F * fibre - 0.004F * split;
+    texel.roughness = 0.58F - 0.14F * grain + 0.3F * split;
     return texel;
 }
 
@@ -194,6 +204,7 @@ Texel clay(vec2 uv) {
     texel.albedo = glm::mix(texel.albedo, colour<0x9a8e74>(), 0.55F * lichen);
     texel.albedo *= 1.0F + 0.15F * fine;
     texel.height_m = 0.001F * broad + 0.0008F * fine;
+    texel.roughness = 0.62F + 0.10F * fine + 0.25F * lichen;
     return texel;
 }
 
@@ -291,20 +302,9 @@ Texel iron(vec2 uv) {
     texel.albedo =
         glm::mix(colour<0x2c2a29>(), colour<0x5a4030>(), glm::smoothstep(0.0F, 0.5F, rust));
     texel.height_m = 0.0006F * rust;
+    texel.roughness = 0.46F + 0.40F * glm::smoothstep(0.0F, 0.5F, rust);
     return texel;
 }
-
-struct Finish {
-    const char* name;
-    Texel (*at)(vec2);
-    int width;
-    int height;
-    float repeat_m;  ///< metres along u and v, unless ratio says otherwise
-    float specular_intensity;
-    float specular_power;
-    vec3 albedo;
-    bool double_sided;
-};
 
 Texel stone(vec2 uv) { return limestone(uv, vec2(0.0F)); }
 Texel lamp_glass(vec2 uv) {
@@ -316,41 +316,22 @@ Texel lamp_glass(vec2 uv) {
 }  // namespace
 
 std::array<vec2, kSurfaces> add_surfaces(renderer::Scene& scene) {
-    const vec3 white(1.0F);
     const std::array<Finish, kSurfaces> finishes{{
-        {"ashlar", ashlar, 1024, 1024, 3.2F, 0.04F, 12.0F, white, false},
-        {"stone", stone, 768, 768, 1.8F, 0.06F, 16.0F, white, false},
-        {"plaster", plaster, 1536, 768, 8.0F, 0.02F, 8.0F, white, false},
-        {"floor", floor_tiles, 1024, 1024, 2.4F, 0.10F, 32.0F, white, false},
-        {"wood", wood, 512, 512, 1.0F, 0.05F, 20.0F, white, false},
-        {"roof", clay, 512, 512, 1.0F, 0.04F, 12.0F, white, true},
-        {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, white, true},
-        {"banner", banner, 768, 768, 3.15F, 0.02F, 8.0F, white, true},
-        {"leaf", leaf, 768, 512, 1.0F, 0.10F, 24.0F, white, true},
-        {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F, white, false},
-        {"iron", iron, 256, 256, 0.5F, 0.25F, 32.0F, white, false},
-        {"lamp-glass", lamp_glass, 64, 64, 0.3F, 0.4F, 64.0F, white, false},
+        {"ashlar", ashlar, 1024, 1024, 3.2F, 0.04F, kBaked},
+        {"stone", stone, 768, 768, 1.8F, 0.06F, kBaked},
+        {"plaster", plaster, 1536, 768, 8.0F, 0.02F, kBaked},
+        {"floor", floor_tiles, 1024, 1024, 2.4F, 0.10F, kBaked},
+        {"wood", wood, 512, 512, 1.0F, 0.05F, kBaked},
+        {"roof", clay, 512, 512, 1.0F, 0.04F, kBaked, true},
+        {"cloth", cloth, 512, 512, 1.0F, 0.02F, 8.0F, true},
+        {"banner", banner, 768, 768, 3.15F, 0.02F, 8.0F, true},
+        {"leaf", leaf, 768, 512, 1.0F, 0.10F, 24.0F, true, true},
+        {"soil", soil, 256, 256, 0.8F, 0.0F, 8.0F},
+        {"iron", iron, 256, 256, 0.5F, 0.25F, kBaked},
+        {"lamp-glass", lamp_glass, 64, 64, 0.3F, 0.4F, 64.0F},
     }};
     std::array<vec2, kSurfaces> size_m{};
-    for (std::size_t i = 0; i < kSurfaces; ++i) {
-        const Finish& finish = finishes[i];
-        size_m[i] = vec2(finish.repeat_m, finish.repeat_m * static_cast<float>(finish.height) /
-                                              static_cast<float>(finish.width));
-        renderer::Material material;
-        material.name = finish.name;
-        material.albedo = finish.albedo;
-        material.specular_intensity = finish.specular_intensity;
-        material.specular_power = finish.specular_power;
-        material.double_sided = finish.double_sided;
-        if (finish.at == leaf) material.coverage = renderer::Coverage::kCutOut;
-        TextureRecipe recipe;
-        recipe.name = finish.name;
-        recipe.width = finish.width;
-        recipe.height = finish.height;
-        recipe.size_m = size_m[i];
-        recipe.at = finish.at;
-        add_material(scene, std::move(material), recipe);
-    }
+    for (std::size_t i = 0; i < kSurfaces; ++i) size_m[i] = add_finish(scene, finishes[i]);
     return size_m;
 }
 

@@ -30,7 +30,11 @@ TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, 
 }
 
 TextureRecipe leather() {
-    return {"leather", 384, 384, glm::vec2(0.12F), [](glm::vec2 uv) {
+    return {"leather",
+            384,
+            384,
+            glm::vec2(0.12F),
+            [](glm::vec2 uv) {
                 const Cell grain = cellular(uv * 46.0F, 3, {46, 46});
                 const float crease = ridged(uv * 5.0F, 8, 3, {5, 5});
                 Texel texel;
@@ -39,8 +43,12 @@ TextureRecipe leather() {
                     0.10F * std::max(0.0F, crease - 0.75F) * 4.0F);
                 texel.height_m =
                     0.00022F * std::min(0.5F, grain.second - grain.nearest) - 0.00020F * crease;
+                // Polished where it is rubbed, dull in its creases.
+                texel.roughness = 0.60F - 0.12F * fbm(uv * 4.0F, 37, 3, {4, 4}) +
+                                  0.8F * std::max(0.0F, crease - 0.70F);
                 return texel;
-            }};
+            },
+            true};
 }
 
 TextureRecipe skin() {
@@ -89,7 +97,11 @@ TextureRecipe wisps() {
 
 /// Worn slabs of stone, dusty in the joints.
 TextureRecipe slabs() {
-    return {"slabs", 1024, 1024, glm::vec2(1.6F), [](glm::vec2 uv) {
+    return {"slabs",
+            1024,
+            1024,
+            glm::vec2(1.6F),
+            [](glm::vec2 uv) {
                 const glm::vec2 q(uv.x * 2.0F, uv.y * 2.0F);
                 const auto row = static_cast<int>(q.y);
                 const float shifted = q.x + (row % 2 == 0 ? 0.0F : 0.5F);
@@ -109,8 +121,11 @@ TextureRecipe slabs() {
                 texel.albedo = glm::mix(texel.albedo, glm::vec3(0.40F, 0.36F, 0.30F),
                                         std::clamp(0.5F * dust + 0.15F, 0.0F, 0.6F));
                 texel.height_m = 0.004F * joint + 0.0022F * rough;
+                texel.roughness =
+                    glm::mix(0.92F, 0.60F + 0.14F * rough + 0.20F * std::max(0.0F, dust), joint);
                 return texel;
-            }};
+            },
+            true};
 }
 
 }  // namespace
@@ -130,14 +145,12 @@ void add_materials(renderer::Scene& scene) {
                  weave("linen", 64, 0.08F, 0.00008F, 0.0F));
     add_material(scene, {.name = "trousers", .specular_intensity = 0.03F, .specular_power = 10.0F},
                  weave("twill", 48, 0.06F, 0.00015F, 1.0F));
-    add_material(scene, {.name = "leather", .specular_intensity = 0.07F, .specular_power = 14.0F},
-                 leather());
+    add_material(scene, {.name = "leather", .specular_intensity = 0.07F}, leather());
     scene.materials.push_back({.name = "metal",
                                .albedo = glm::vec3(1.0F),
                                .specular_intensity = 0.7F,
                                .specular_power = 60.0F});
-    add_material(scene, {.name = "ground", .specular_intensity = 0.03F, .specular_power = 10.0F},
-                 slabs());
+    add_material(scene, {.name = "ground", .specular_intensity = 0.04F}, slabs());
     add_material(scene,
                  {.name = "wisps",
                   .specular_intensity = 0.04F,

@@ -51,6 +51,7 @@ Texel boards(vec2 uv) {
     texel.albedo = glm::mix(texel.albedo, colour<0xa68a68>(), 0.35F * worn);
     texel.albedo *= 1.0F - 0.8F * gap;
     texel.height_m = 0.0002F * grain - 0.0015F * gap;
+    texel.roughness = 0.44F + 0.05F * grain + 0.18F * worn + 0.3F * gap;
     return texel;
 }
 
@@ -64,6 +65,7 @@ Texel wood(vec2 uv) {
                             glm::clamp(0.5F + 0.45F * grain + 0.8F * figure, 0.0F, 1.0F));
     texel.albedo *= 1.0F + 0.15F * bend;
     texel.height_m = 0.00016F * grain;
+    texel.roughness = 0.49F + 0.08F * grain + 0.10F * figure;
     return texel;
 }
 
@@ -73,6 +75,7 @@ Texel lacquer(vec2 uv) {
     Texel texel;
     texel.albedo = colour<0xdedad0>() * (1.0F + 0.03F * brush - 0.08F * soil);
     texel.height_m = 0.0001F * brush;
+    texel.roughness = 0.45F + 0.05F * brush + 0.20F * soil;
     return texel;
 }
 
@@ -263,9 +266,9 @@ Texel bulb(vec2) {
 
 constexpr std::array<Finish, 17> kFinishes{{
     {"wall", wall, 768, 768, 3.0F, 0.02F, 10.0F},
-    {"floor-boards", boards, 1024, 512, 3.2F, 0.16F, 36.0F},
-    {"wood", wood, 512, 512, 1.0F, 0.12F, 32.0F},
-    {"lacquer", lacquer, 256, 256, 0.8F, 0.20F, 40.0F},
+    {"floor-boards", boards, 1024, 512, 3.2F, 0.16F, kBaked},
+    {"wood", wood, 512, 512, 1.0F, 0.12F, kBaked},
+    {"lacquer", lacquer, 256, 256, 0.8F, 0.20F, kBaked},
     {"paper", paper, 256, 256, 0.12F, 0.01F, 8.0F, true},
     {"print", print, 384, 512, 1.0F, 0.02F, 8.0F, true},
     {"binding", binding, 384, 384, 0.4F, 0.05F, 14.0F, true},

@@ -8,28 +8,34 @@
 
 namespace obscura::stimuli {
 
+glm::vec2 add_finish(renderer::Scene& scene, const Finish& finish) {
+    const float ratio = static_cast<float>(finish.height) / static_cast<float>(finish.width);
+    const glm::vec2 size_m(finish.repeat_m, finish.repeat_m * ratio);
+    const bool baked = finish.specular_power == kBaked;
+    renderer::Material material;
+    material.name = finish.name;
+    material.specular_intensity = finish.specular_intensity;
+    if (!baked) material.specular_power = finish.specular_power;
+    material.double_sided = finish.double_sided;
+    material.emissive = finish.emissive;
+    if (finish.cut_out) material.coverage = renderer::Coverage::kCutOut;
+    add_material(scene, std::move(material),
+                 {finish.name, finish.width, finish.height, size_m, finish.at, baked});
+    if (finish.emissive != glm::vec3(0.0F)) {
+        renderer::Material& added = scene.materials.back();
+        added.emissive_texture = added.albedo_texture;
+    }
+    return size_m;
+}
+
 Assembly::Assembly(std::string name, std::span<const Finish> finishes) {
     scene_.name = std::move(name);
     for (const Finish& finish : finishes) {
-        const float ratio = static_cast<float>(finish.height) / static_cast<float>(finish.width);
-        const glm::vec2 size_m(finish.repeat_m, finish.repeat_m * ratio);
-        renderer::Material material;
-        material.name = finish.name;
-        material.specular_intensity = finish.specular_intensity;
-        material.specular_power = finish.specular_power;
-        material.double_sided = finish.double_sided;
-        material.emissive = finish.emissive;
-        if (finish.cut_out) material.coverage = renderer::Coverage::kCutOut;
+        size_m_.push_back(add_finish(scene_, finish));
         renderer::Mesh mesh;
         mesh.name = finish.name;
-        mesh.material = add_material(scene_, std::move(material),
-                                     {finish.name, finish.width, finish.height, size_m, finish.at});
-        if (finish.emissive != glm::vec3(0.0F)) {
-            renderer::Material& added = scene_.materials.back();
-            added.emissive_texture = added.albedo_texture;
-        }
+        mesh.material = static_cast<std::uint32_t>(scene_.materials.size() - 1);
         scene_.meshes.push_back(std::move(mesh));
-        size_m_.push_back(size_m);
     }
 }
 

@@ -16,6 +16,8 @@
 
 namespace obscura::stimuli {
 
+inline constexpr float kBaked = 0.0F;
+
 /// What a surface of a scene looks like.
 struct Finish {
     const char* name = "";
@@ -24,11 +26,15 @@ struct Finish {
     int height = 512;                     ///< texels along v
     float repeat_m = 1.0F;  ///< what one repeat covers along u; along v by the texture's shape
     float specular_intensity = 0.0F;  ///< [0, 1]
-    float specular_power = 16.0F;     ///< [1, 255]
+    float specular_power = 16.0F;     ///< [1, 255], or kBaked: by the texels' roughness
     bool double_sided = false;
     bool cut_out = false;      ///< the texels' opacity cuts holes
     glm::vec3 emissive{0.0F};  ///< linear radiance sent out
 };
+
+/// Bakes a finish and adds its material as the scene's last; gives what one repeat of its textures
+/// covers along u and v, in metres.
+glm::vec2 add_finish(renderer::Scene& scene, const Finish& finish);
 
 /// A scene while it grows: one material and one mesh for each of its finishes, in their order.
 /// `Surface` is the scene's own enumeration of them.

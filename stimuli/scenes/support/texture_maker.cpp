@@ -36,6 +36,11 @@ std::uint8_t encode_signed(float value) {
     return static_cast<std::uint8_t>(std::clamp(value, -1.0F, 1.0F) * 127.0F + 128.5F);
 }
 
+/// [0, 1] as 0 to 255.
+std::uint8_t encode_unit(float value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
+}
+
 renderer::Texture blank(const TextureRecipe& recipe, const char* suffix, bool srgb) {
     renderer::Texture texture;
     texture.name = recipe.name + suffix;
@@ -86,7 +91,8 @@ glm::vec3 linear_from_srgb(std::uint32_t rgb) {
 BakedTextures bake(const TextureRecipe& recipe) {
     const int width = recipe.width;
     const int height = recipe.height;
-    BakedTextures baked{blank(recipe, "-albedo", true), blank(recipe, "-normal", false)};
+    BakedTextures baked{blank(recipe, "-albedo", true), blank(recipe, "-normal", false), {}};
+    if (recipe.roughness) baked.roughness = blank(recipe, "-roughness", false);
     std::vector<float> heights_m(static_cast<std::size_t>(width) *
                                  static_cast<std::size_t>(height));
     const auto index = [&](int x, int y) {
@@ -103,8 +109,12 @@ BakedTextures bake(const TextureRecipe& recipe) {
             for (int c = 0; c < 3; ++c)
                 baked.albedo.rgba[4 * i + static_cast<std::size_t>(c)] =
                     encode_srgb(texel.albedo[c]);
-            baked.albedo.rgba[4 * i + 3] =
-                static_cast<std::uint8_t>(std::clamp(texel.opacity, 0.0F, 1.0F) * 255.0F + 0.5F);
+            baked.albedo.rgba[4 * i + 3] = encode_unit(texel.opacity);
+            if (baked.roughness) {
+                const std::uint8_t code = encode_unit(texel.roughness);
+                const std::array<std::uint8_t, 4> stored{0, code, 0, 255};
+                std::copy(stored.begin(), stored.end(), &baked.roughness->rgba[4 * i]);
+            }
         }
     });
     const glm::vec2 two_texels_m =
@@ -130,6 +140,10 @@ std::uint32_t add_material(renderer::Scene& scene, renderer::Material material,
     scene.textures.push_back(std::move(baked.albedo));
     material.normal_texture = static_cast<renderer::TextureIndex>(scene.textures.size());
     scene.textures.push_back(std::move(baked.normal));
+    if (baked.roughness) {
+        material.roughness_texture = static_cast<renderer::TextureIndex>(scene.textures.size());
+        scene.textures.push_back(std::move(*baked.roughness));
+    }
     scene.materials.push_back(std::move(material));
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }

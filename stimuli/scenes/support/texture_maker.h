@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 
 #include "renderer/scene/scene.h"
@@ -15,6 +16,7 @@ struct Texel {
     glm::vec3 albedo{0.5F};  ///< linear Rec. 709, clamped to [0, 1] when stored
     float height_m = 0.0F;   ///< of the fine relief, along the normal
     float opacity = 1.0F;    ///< the albedo texture's alpha, clamped to [0, 1] when stored
+    float roughness = 1.0F;  ///< stored where the recipe says so, clamped to [0, 1]
 };
 
 /// A surface to bake: `at` takes uv in [0, 1)^2 and must wrap at 1 (use periodic noise). It is
@@ -25,19 +27,22 @@ struct TextureRecipe {
     int height = 1024;
     glm::vec2 size_m{1.0F};  ///< what one repeat of the texture covers, along u and v
     std::function<Texel(glm::vec2 uv)> at;
+    bool roughness = false;  ///< whether the surface's roughness is baked too
 };
 
-/// The two images of a surface; both wrap.
+/// The images of a surface; all wrap.
 struct BakedTextures {
     renderer::Texture albedo;  ///< sRGB, name "NAME-albedo"
     renderer::Texture normal;  ///< tangent space, +Y towards +v, name "NAME-normal"
+    std::optional<renderer::Texture> roughness;  ///< green, name "NAME-roughness"
 };
 
 /// Bakes on all cores; the bytes do not depend on how many there are.
 [[nodiscard]] BakedTextures bake(const TextureRecipe& recipe);
 
-/// Bakes, adds both textures to the scene and a material that uses them, and returns its index.
-/// `material` gives everything but the two texture indices.
+/// Bakes, adds the textures to the scene and a material that uses them, and returns its index.
+/// `material` gives everything but their indices; where roughness is baked, its specular_power is
+/// not used.
 std::uint32_t add_material(renderer::Scene& scene, renderer::Material material,
                            const TextureRecipe& recipe);
 
