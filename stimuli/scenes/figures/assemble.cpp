@@ -15,9 +15,6 @@ namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
-// Cells are this much larger than a part asks for, to save time where it is hardly seen.
-constexpr float kCoarserCloth = 1.4F;  ///< soft cloth, which has no edges
-constexpr float kCoarser = 1.1F;       ///< everything else but skin
 
 /// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
 /// whose cells know which parts are near.
@@ -25,7 +22,10 @@ class NearField {
   public:
     explicit NearField(const Figure& figure) : figure_(figure) {
         Bounds bounds;
-        for (const FigurePart& part : figure.parts) bounds.include(part.solid.bounds());
+        for (const FigurePart& part : figure.parts) {
+            bounds_.push_back(part.solid.bounds());
+            bounds.include(bounds_.back());
+        }
         low_ = bounds.low - kReach_m;
         size_ = glm::ivec3((bounds.high - bounds.low + 2.0F * kReach_m) / kCell_m) + 1;
         cells_.resize(static_cast<std::size_t>(size_.x * size_.y * size_.z));
@@ -65,9 +65,13 @@ class NearField {
     }
     void fill(const glm::ivec3& cell) {
         const glm::vec3 centre = low_ + (glm::vec3(cell) + 0.5F) * kCell_m;
-        for (const FigurePart& part : figure_.parts) {
-            auto near = part.solid.near(centre, 0.9F * kCell_m + kReach_m, part.solid.parts());
-            part.solid.localise(centre, 0.9F * kCell_m + kReach_m, near,
+        constexpr float kReachOfCell_m = 0.9F * kCell_m + kReach_m;
+        for (std::size_t i = 0; i < figure_.parts.size(); ++i) {
+            const FigurePart& part = figure_.parts[i];
+            const glm::vec3 off = glm::max(bounds_[i].low - centre, centre - bounds_[i].high);
+            if (std::max({off.x, off.y, off.z}) > kReachOfCell_m) continue;
+            auto near = part.solid.near(centre, kReachOfCell_m, part.solid.parts());
+            part.solid.localise(centre, kReachOfCell_m, near,
                                 owners_[static_cast<std::size_t>(cell.z)]);
             if (near.empty()) continue;
             const float at_centre_m = part.solid.distance(centre, near);
@@ -79,6 +83,7 @@ class NearField {
     }
 
     const Figure& figure_;
+    std::vector<Bounds> bounds_;  ///< of its parts
     glm::vec3 low_{0.0F};
     glm::ivec3 size_{0};
     std::vector<std::vector<Near>> cells_;
@@ -124,9 +129,9 @@ renderer::Mesh eyeball(const Eye& eye) {
         const float iris = std::clamp((0.50F - off) / 0.05F, 0.0F, 1.0F);
         const float pupil = std::clamp((0.20F - off) / 0.04F, 0.0F, 1.0F);
         const float rim = std::clamp((off - 0.36F) / 0.12F, 0.0F, 1.0F);
-        const float lid_shade = std::clamp(0.75F - 0.9F * way.y, 0.35F, 1.0F);
+        const float lid_shade = std::clamp(0.68F - 1.1F * way.y, 0.30F, 1.0F);
         glm::vec3 colour =
-            glm::mix(glm::vec3(0.62F, 0.58F, 0.55F), eye.iris * (1.0F - 0.6F * rim), iris);
+            glm::mix(glm::vec3(0.50F, 0.46F, 0.43F), eye.iris * (1.0F - 0.6F * rim), iris);
         return glm::mix(colour, glm::vec3(0.01F), pupil) * lid_shade;
     });
     return whole;
@@ -150,11 +155,8 @@ renderer::Mesh card_of(const Wisp& wisp) {
 }
 
 renderer::Mesh mesh_of(const Figure& figure, const FigurePart& part, const NearField& field) {
-    const bool soft = part.cloth == Cloth::kJacket || part.cloth == Cloth::kShirt ||
-                      part.cloth == Cloth::kTrousers;
-    const float coarser = soft ? kCoarserCloth : part.cloth == Cloth::kSkin ? 1.0F : kCoarser;
     renderer::Mesh mesh =
-        polygonise(part.solid, coarser * part.cell_m,
+        polygonise(part.solid, part.cell_m,
                    [&](const glm::vec3& p, const glm::vec3& normal, const glm::vec3& tint) {
                        const bool skin = part.cloth == Cloth::kSkin && figure.complexion != nullptr;
                        const glm::vec3 colour = skin ? tint * figure.complexion(p) : tint;

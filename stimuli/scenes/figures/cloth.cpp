@@ -23,7 +23,7 @@ float crest(float phase) {
 float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, std::uint32_t seed) {
     const float warp = gradient_noise(at.position_m * 7.0F, seed);
     const float patchy = gradient_noise(at.position_m * 15.0F, seed + 1);
-    float height = 0.0020F * patchy;
+    float height = 0.0012F * patchy;
     for (const FoldCentre& centre : centres) {
         const float away = (at.along_m - centre.along_m) / centre.reach_m;
         if (std::abs(away) > 2.0F) continue;

@@ -86,7 +86,7 @@ void add_wisps(Figure& figure, const Sculpture& hair, const Scalp& scalp, float 
 }  // namespace
 
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0043F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     hair.add(ellipsoid(scalp.local(0.0F, 0.036F, -0.014F),
@@ -149,7 +149,7 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
 }
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0043F, 0.05F);
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
     const Scalp scalp{at, scale};
     Sculpture& hair = part.solid;
     const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);

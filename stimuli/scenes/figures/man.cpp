@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/support/noise.h"
@@ -80,8 +81,7 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
-    Sculpture& jacket = man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid;
-    jacket = core;
+    Sculpture jacket = core;
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
     Sculpture hem;
@@ -108,7 +108,9 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     rebuild_frames(standing);
     jacket.carve(round_cone(at(0.0F, 1.50F, -0.02F), 0.062F, at(0.0F, 1.62F, 0.01F), 0.075F),
                  {0.006F, kJacketColour, false});
-    jacket.add(tube(standing), {0.006F, kJacketColour * 0.85F, true});
+    // Thinner than the jacket's cells: a mesh of its own.
+    man.part("collar", Cloth::kJacket, 0.0042F, 0.10F)
+        .solid.add(tube(standing), {0.0F, kJacketColour * 0.85F, true});
     // Zip and placket, yoke seams and two flapped pockets.
     jacket.add(layer(core, 0.0065F,
                      rounded_box(at(0.0F, 1.22F, 0.12F), {0.017F, 0.26F, 0.12F}, 0.004F, at.axes)),
@@ -137,10 +139,11 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
          0.010F});
+    man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid = std::move(jacket);
 }
 
 void add_undershirt(Figure& man, const Placed& at) {
-    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0080F, 0.08F).solid;
+    Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0100F, 0.08F).solid;
     const glm::vec3 colour(0.10F, 0.10F, 0.105F);
     s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes),
           {0.0F, colour, true});
@@ -173,7 +176,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0095F, 0.08F);
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0105F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -220,7 +223,7 @@ void add_trousers(Figure& man, const Placed& at) {
 }
 
 void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
-    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0072F, 0.12F);
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0078F, 0.12F);
     Sculpture& s = part.solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     for (const float x : kSides) {
@@ -328,7 +331,7 @@ Figure make_man(const Placed& at) {
     add_undershirt(man, at);
     add_trousers(man, at);
     add_harness(man, at, core);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);

@@ -5,6 +5,7 @@
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/support/mesh_builder.h"
 #include "stimuli/scenes/support/noise.h"
+#include "stimuli/scenes/support/parts.h"
 #include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli::figures {
@@ -68,8 +69,9 @@ TextureRecipe hair() {
     return {"hair", 256, 256, glm::vec2(0.05F), [](glm::vec2 uv) {
                 const float strand = fbm(glm::vec2(uv.x * 48.0F, uv.y * 3.0F), 19, 3, {48, 3});
                 Texel texel;
-                texel.albedo = glm::vec3(0.78F + 0.22F * strand);
-                texel.height_m = 0.00012F * strand;
+                const float lock = fbm(glm::vec2(uv.x * 10.0F, uv.y * 2.0F), 20, 2, {10, 2});
+                texel.albedo = glm::vec3(0.70F + 0.42F * strand + 0.18F * lock);
+                texel.height_m = 0.00035F * strand + 0.0003F * lock;
                 return texel;
             }};
 }
@@ -108,7 +110,7 @@ TextureRecipe slabs() {
                 const int column = static_cast<int>(shifted) % 2;
                 const float fx = shifted - std::floor(shifted);
                 const float fy = q.y - std::floor(q.y);
-                const float rough = fbm(uv * 14.0F, 23, 5, {14, 14});
+                const float rough = shared_noise(uv * 2.0F + 0.41F);
                 const float edge =
                     std::min(std::min(fx, 1.0F - fx), std::min(fy, 1.0F - fy)) + 0.006F * rough;
                 const float joint = std::clamp((edge - 0.008F) / 0.012F, 0.0F, 1.0F);

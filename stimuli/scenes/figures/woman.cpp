@@ -190,7 +190,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0088F, 0.06F).solid;
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0098F, 0.06F).solid;
     s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
           {0.0F, kTrouserColour, true});
     s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
@@ -225,7 +225,7 @@ void add_trousers(Figure& woman, const Placed& at) {
 }
 
 void add_belt(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0052F, 0.12F).solid;
+    Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0058F, 0.12F).solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
     const float tilt = 0.018F;
     const auto loop = [&](float y, float grow, float half, float slant) {
@@ -299,7 +299,7 @@ Figure make_woman(const Placed& at) {
     add_vest(woman, at, core);
     add_trousers(woman, at);
     add_belt(woman, at);
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_boot(boots, at, kAnkleLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_arms(woman, at, kSkinColour);
