@@ -27,7 +27,6 @@ Texel enamel(vec2 uv) {
     texel.albedo = vec3(0.95F + 0.08F * fine) * (1.0F - 0.38F * grime);
     texel.albedo = glm::mix(texel.albedo, vec3(0.55F, 0.36F, 0.26F), chip);
     texel.height_m = 0.0002F * fine + 0.0002F * runs - 0.0006F * chip;
-    texel.roughness = glm::mix(0.46F + 0.06F * fine + 0.25F * grime, 0.85F, chip);
     return texel;
 }
 
@@ -40,7 +39,6 @@ Texel cast(vec2 uv) {
     texel.albedo = glm::mix(colour<0x4a4a4a>(), colour<0x6a4634>(), 0.75F * rust);
     texel.albedo *= 1.0F + 0.25F * broad + 0.2F * grain;
     texel.height_m = 0.0006F * fine + 0.0005F * grain;
-    texel.roughness = 0.56F + 0.10F * grain + 0.25F * rust;
     return texel;
 }
 
@@ -54,7 +52,6 @@ Texel steel(vec2 uv) {
     texel.albedo = glm::mix(texel.albedo, colour<0x5e5044>(), 0.55F * oil);
     texel.albedo = glm::mix(texel.albedo, colour<0x7a4e34>(), 0.7F * spot);
     texel.height_m = 0.00006F * turned + 0.00005F * fine;
-    texel.roughness = 0.47F + 0.08F * turned - 0.10F * oil + 0.35F * spot;
     return texel;
 }
 
@@ -64,7 +61,6 @@ Texel brass(vec2 uv) {
     texel.albedo = glm::mix(colour<0xc9a356>(), colour<0x6f5a34>(), tarnish) *
                    (1.0F + 0.15F * noise(uv * 8.0F));
     texel.height_m = 0.0001F * noise(uv * 8.0F);
-    texel.roughness = 0.38F + 0.22F * tarnish;
     return texel;
 }
 
@@ -75,7 +71,6 @@ Texel copper(vec2 uv) {
     texel.albedo = glm::mix(colour<0xc07a55>(), colour<0x6e432f>(), tarnish);
     texel.albedo = glm::mix(texel.albedo, colour<0x6f9a86>(), 0.6F * verdigris);
     texel.height_m = 0.0001F * noise(uv * 8.0F);
-    texel.roughness = 0.40F + 0.16F * tarnish + 0.30F * verdigris;
     return texel;
 }
 
@@ -101,7 +96,6 @@ Texel concrete(vec2 uv) {
     texel.albedo *= (1.0F + 0.12F * medium + 0.14F * fine) * (1.0F - 0.45F * stain);
     texel.albedo *= 1.0F - 0.5F * line;
     texel.height_m = 0.0012F * medium + 0.0005F * fine - 0.002F * line;
-    texel.roughness = 0.64F + 0.10F * fine - 0.22F * stain + 0.2F * line;
     return texel;
 }
 
@@ -127,7 +121,6 @@ Texel brick(vec2 uv) {
     texel.albedo = glm::mix(paint, glm::mix(colour<0x8f877a>(), clay, inside), flaked);
     texel.albedo *= (0.72F + 0.28F * inside) * (1.0F + 0.08F * rough);
     texel.height_m = 0.004F * inside + 0.0012F * rough - 0.0008F * flaked;
-    texel.roughness = glm::mix(0.58F, glm::mix(0.92F, 0.74F, inside), flaked) + 0.08F * rough;
     return texel;
 }
 
@@ -148,7 +141,6 @@ Texel tile(vec2 uv) {
                    (1.0F + 0.10F * crazed + 0.10F * noise(uv));
     texel.albedo = glm::mix(colour<0x5a564c>(), texel.albedo, inside);
     texel.height_m = 0.0022F * inside + 0.0004F * (own - 0.5F);
-    texel.roughness = glm::mix(0.88F, 0.40F + 0.08F * crazed, inside);
     return texel;
 }
 
@@ -200,15 +192,15 @@ Texel dark(vec2) {
 }
 
 constexpr std::array<Finish, 13> kFinishes{{
-    {"enamel", enamel, 768, 768, 0.9F, 0.16F, kBaked},
-    {"cast-iron", cast, 512, 512, 0.6F, 0.10F, kBaked},
-    {"steel", steel, 512, 512, 0.5F, 0.45F, kBaked},
-    {"brass", brass, 256, 256, 0.3F, 0.45F, kBaked},
-    {"copper", copper, 256, 256, 0.4F, 0.35F, kBaked},
+    {"enamel", enamel, 768, 768, 0.9F, 0.16F, 30.0F},
+    {"cast-iron", cast, 512, 512, 0.6F, 0.10F, 14.0F},
+    {"steel", steel, 512, 512, 0.5F, 0.45F, 48.0F},
+    {"brass", brass, 256, 256, 0.3F, 0.45F, 48.0F},
+    {"copper", copper, 256, 256, 0.4F, 0.35F, 40.0F},
     {"rubber", rubber, 128, 128, 0.2F, 0.06F, 12.0F},
-    {"concrete", concrete, 1024, 1024, 4.0F, 0.05F, kBaked},
-    {"brick", brick, 1024, 1024, 2.56F, 0.03F, kBaked},
-    {"tile", tile, 768, 768, 1.5F, 0.30F, kBaked},
+    {"concrete", concrete, 1024, 1024, 4.0F, 0.05F, 14.0F},
+    {"brick", brick, 1024, 1024, 2.56F, 0.03F, 10.0F},
+    {"tile", tile, 768, 768, 1.5F, 0.30F, 60.0F},
     {"zinc", zinc, 256, 256, 0.4F, 0.25F, 30.0F},
     {"wood", wood, 384, 384, 1.0F, 0.04F, 14.0F},
     {"dial", dial, 256, 256, 1.0F, 0.20F, 60.0F},
