@@ -17,11 +17,8 @@ class DenoiseTest : public testing::Test {
   protected:
     Frame render(const Scene& scene, const std::string& technique, const std::string& denoise,
                  std::map<std::string, double> parameters = {}) {
-        TechniqueChoice choice;
-        choice.technique = technique;
-        choice.samples = find_technique(technique)->samples.standard;
+        TechniqueChoice choice = tests::choice_of(technique, denoise);
         choice.parameters = std::move(parameters);
-        choice.denoise = denoise;
         const GpuScene gpu(scene);
         return renderer_.render(gpu, {}, tests::forward_camera(), choice,
                                 plan_frame(needs_of(scene, {}), choice, 256, 256));

@@ -9,13 +9,7 @@
 namespace obscura::renderer {
 namespace {
 
-TechniqueChoice choice_of(const std::string& name, const std::string& denoise = "none") {
-    TechniqueChoice choice;
-    choice.technique = name;
-    choice.samples = find_technique(name)->samples.standard;
-    choice.denoise = denoise;
-    return choice;
-}
+using tests::choice_of;
 
 SceneNeeds high_needs() {
     SceneNeeds needs;

@@ -11,16 +11,10 @@
 namespace obscura::renderer {
 namespace {
 
+using tests::choice_of;
+
 constexpr int kWidth = 96;
 constexpr int kHeight = 64;
-
-TechniqueChoice choice_of(const std::string& name, const std::string& denoise) {
-    TechniqueChoice choice;
-    choice.technique = name;
-    choice.samples = find_technique(name)->samples.standard;
-    choice.denoise = denoise;
-    return choice;
-}
 
 /// A box on a floor before a hedge with holes, behind a pane.
 Scene all_kinds() {

@@ -13,18 +13,12 @@
 namespace obscura::renderer {
 namespace {
 
+using tests::choice_of;
 using tests::facing_wall;
 using tests::forward_camera;
 
 class Techniques : public testing::TestWithParam<std::string> {
   protected:
-    static TechniqueChoice choice_of(const std::string& name) {
-        TechniqueChoice choice;
-        choice.technique = name;
-        choice.samples = find_technique(name)->samples.standard;
-        return choice;
-    }
-
     Frame render(const Scene& scene, const TechniqueChoice& choice, int width, int height,
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;

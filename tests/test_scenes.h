@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "renderer/frame/renderer.h"
 #include "renderer/scene/scene.h"
@@ -46,6 +47,16 @@ inline renderer::Camera forward_camera() {
     camera.near_m = 0.1F;
     camera.far_m = 100.0F;
     return camera;
+}
+
+/// A technique as it is by default, without a filter unless one is named.
+inline renderer::TechniqueChoice choice_of(const std::string& name,
+                                           const std::string& denoise = "none") {
+    renderer::TechniqueChoice choice;
+    choice.technique = name;
+    choice.samples = renderer::find_technique(name)->samples.standard;
+    choice.denoise = denoise;
+    return choice;
 }
 
 /// A wall at that distance which fills the view and faces the camera.

@@ -30,10 +30,8 @@ Study study_of_all_techniques(int supersampling) {
             Condition condition;
             condition.id = scene.id + "-" + left;
             condition.scene = scene.id;
-            const auto choice = [](const char* name) {
-                const int samples = renderer::find_technique(name)->samples.standard;
-                return renderer::TechniqueChoice{
-                    name, samples, {}, std::string(name) == "none" ? "none" : "separable"};
+            const auto choice = [](const std::string& name) {
+                return tests::choice_of(name, name == "none" ? "none" : "separable");
             };
             condition.a = choice(left);
             condition.b = choice(right);
