@@ -16,30 +16,6 @@ using tests::choice_of;
 constexpr int kWidth = 96;
 constexpr int kHeight = 64;
 
-/// A box on a floor before a hedge with holes, behind a pane.
-Scene all_kinds() {
-    Scene scene = tests::empty_scene();
-    tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
-    tests::add_box(scene, {-1.0F, -1.0F, -6.0F}, {0.5F, 0.5F, -4.0F});
-    scene.textures.push_back(
-        {"holes", 2, 2, true, {90, 200, 90, 255, 0, 0, 0, 0, 0, 0, 0, 0, 90, 200, 90, 255}});
-    Material hedge;
-    hedge.albedo_texture = 0;
-    hedge.coverage = Coverage::kCutOut;
-    hedge.double_sided = true;
-    Material pane;
-    pane.coverage = Coverage::kBlended;
-    pane.opacity = 0.95F;
-    pane.albedo = glm::vec3(0.2F, 0.3F, 0.6F);
-    scene.materials.push_back(hedge);
-    scene.materials.push_back(pane);
-    tests::add_quad(scene, {-3.0F, -1.0F, -7.0F}, {6.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F});
-    scene.meshes.back().material = 1;
-    tests::add_quad(scene, {0.2F, -1.0F, -4.5F}, {1.5F, 0.0F, -1.0F}, {0.0F, 1.2F, 0.0F});
-    scene.meshes.back().material = 2;
-    return scene;
-}
-
 class Supersampling : public testing::Test {
   protected:
     Frame render(const Scene& scene, const TechniqueChoice& choice, const FrameOptions& options,
@@ -55,7 +31,7 @@ class Supersampling : public testing::Test {
 };
 
 TEST_F(Supersampling, LeavesTheAccessibilityAsItIsWithOneSampleAPixel) {
-    const Scene scene = all_kinds();
+    const Scene scene = tests::scene_of_all_kinds();
     for (const std::optional<float> occluding :
          {std::optional<float>(), std::optional<float>(0.9F)}) {
         for (const char* name : {"crytek", "blizzard", "raymarch"}) {

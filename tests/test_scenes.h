@@ -81,4 +81,28 @@ inline void add_box(renderer::Scene& scene, const glm::vec3& low, const glm::vec
     add_quad(scene, low, x, z);
 }
 
+/// A box on a floor before a hedge with holes, behind a pane.
+inline renderer::Scene scene_of_all_kinds() {
+    renderer::Scene scene = empty_scene();
+    add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
+    add_box(scene, {-1.0F, -1.0F, -6.0F}, {0.5F, 0.5F, -4.0F});
+    scene.textures.push_back(
+        {"holes", 2, 2, true, {90, 200, 90, 255, 0, 0, 0, 0, 0, 0, 0, 0, 90, 200, 90, 255}});
+    renderer::Material hedge;
+    hedge.albedo_texture = 0;
+    hedge.coverage = renderer::Coverage::kCutOut;
+    hedge.double_sided = true;
+    renderer::Material pane;
+    pane.coverage = renderer::Coverage::kBlended;
+    pane.opacity = 0.95F;
+    pane.albedo = glm::vec3(0.2F, 0.3F, 0.6F);
+    scene.materials.push_back(hedge);
+    scene.materials.push_back(pane);
+    add_quad(scene, {-3.0F, -1.0F, -7.0F}, {6.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F});
+    scene.meshes.back().material = 1;
+    add_quad(scene, {0.2F, -1.0F, -4.5F}, {1.5F, 0.0F, -1.0F}, {0.0F, 1.2F, 0.0F});
+    scene.meshes.back().material = 2;
+    return scene;
+}
+
 }  // namespace obscura::tests
