@@ -12,6 +12,7 @@
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
 #include "stimuli/png.h"
@@ -164,6 +165,14 @@ std::string title_of(const Stimulus& stimulus) {
     return fmt::format("{} ({})", stimulus.file(), stimulus.choice().variant_name());
 }
 
+/// Nothing can be seen in it: a scene as bright as its background, or a camera that misses it.
+bool is_of_one_colour(const RgbImage& image) {
+    for (std::size_t i = 3; i < image.rgb.size(); ++i) {
+        if (image.rgb[i] != image.rgb[i - 3]) return false;
+    }
+    return true;
+}
+
 double milliseconds_of(const renderer::Frame& frame) {
     double sum_ms = 0.0;
     for (const renderer::PassTime& time : frame.times) sum_ms += time.milliseconds;
@@ -234,7 +243,11 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             continue;
         }
         const renderer::Frame frame = renderer.render_next(stimulus);
-        const std::string bytes = encode_png(image_of(frame));
+        const RgbImage image = image_of(frame);
+        if (is_of_one_colour(image)) {
+            spdlog::warn("warning: {}: the whole image has one colour", stimulus.file());
+        }
+        const std::string bytes = encode_png(image);
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
         base::write_file_atomically(folder / entry.file, bytes);

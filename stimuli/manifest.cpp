@@ -49,6 +49,7 @@ Json to_json(const ManifestImage& image) {
             {"validity", image.validity},
             {"settings", Json::parse(image.settings)},
             {"scene_files", to_json(image.scene_files)},
+            {"scene_notes", image.scene_notes},
             {"technique", image.technique},
             {"samples", image.samples},
             {"parameters", image.parameters},
@@ -79,6 +80,7 @@ ManifestImage image_from(const Json& json) {
     for (const Json& file : json.value("scene_files", Json::array())) {
         image.scene_files.push_back({file.at("name"), file.at("sha256")});
     }
+    image.scene_notes = json.value("scene_notes", std::vector<std::string>());
     json.at("technique").get_to(image.technique);
     json.at("samples").get_to(image.samples);
     json.at("parameters").get_to(image.parameters);

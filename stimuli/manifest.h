@@ -36,7 +36,8 @@ struct ManifestImage {
         std::string name;
         std::string sha256;
     };
-    std::vector<SceneFile> scene_files;  ///< none for a built-in scene
+    std::vector<SceneFile> scene_files;    ///< none for a built-in scene
+    std::vector<std::string> scene_notes;  ///< what of them is not shown, or replaced
     std::string technique;
     int samples = 0;
     std::map<std::string, double> parameters;  ///< every parameter, those at their default too

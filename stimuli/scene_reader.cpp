@@ -115,6 +115,7 @@ const SceneReader::Known& SceneReader::open(const std::string& source, double sc
             entry->second.cameras.push_back(camera.name);
         }
         entry->second.files = opened.files;
+        entry->second.notes = opened.notes;
     } catch (const base::Error& error) {
         entry->second.problem = in_one_line(error.what());
     }
@@ -242,6 +243,7 @@ StudyScene SceneReader::read(TableReader& reader, const std::string& id, Problem
         if (!known.problem.empty()) reader.add("source", known.problem);
         read_camera(reader, known.problem.empty() ? &known.cameras : nullptr, scene, problems);
         scene.files.insert(scene.files.begin(), known.files.begin(), known.files.end());
+        scene.notes = known.notes;
     }
     const auto level = reader.choice("validity", Need::kRequired, names_of(kValidities));
     if (level) scene.validity = *validity_from(*level);

@@ -31,6 +31,7 @@ class SceneReader {
     struct Known {
         std::vector<std::string> cameras;
         std::vector<renderer::ImportedFile> files;
+        std::vector<std::string> notes;
         std::string problem;  ///< empty: it can be read
     };
 

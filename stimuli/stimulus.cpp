@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -64,6 +65,7 @@ StimulusRenderer::StimulusRenderer(const Study& study, const std::vector<Builtin
 void StimulusRenderer::load(const StudyScene& scene) {
     if (loaded_.source == scene.source && loaded_.scale == scene.settings.scale) return;
     loaded_ = {};
+    known_ = {};
     SceneSettings geometry;
     geometry.scale = scene.settings.scale;
     loaded_.opened = open_scene(scene.source, geometry, study_.folder, catalogue_);
@@ -134,7 +136,9 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
         known_scene_ = stimulus.condition->scene;
     }
     renderer::Frame frame = render(stimulus, options(), known_);
-    known_ = frame.view_buffers();
+    renderer::ViewBuffers buffers = frame.view_buffers();
+    // What took over everything may hold less than what it took it from.
+    if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
     return frame;
 }
 
@@ -185,6 +189,7 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     for (const renderer::ImportedFile& file : files_of(scene)) {
         image.scene_files.push_back({file.path.filename().string(), file.sha256});
     }
+    image.scene_notes = scene.notes;
     image.technique = choice.technique;
     image.samples = choice.samples;
     image.parameters = parameters_of(choice);

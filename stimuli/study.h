@@ -25,6 +25,7 @@ struct StudyScene {
     Validity validity = Validity::kLow;
     SceneSettings settings = {};
     std::vector<renderer::ImportedFile> files = {};  ///< that the source and its light consist of
+    std::vector<std::string> notes = {};  ///< what of the source is not shown, or replaced
 };
 
 /// What a camera is called that the study file describes itself.

@@ -10,6 +10,7 @@
 #include "stimuli/generate.h"
 #include "stimuli/scenes/open_scene.h"
 #include "stimuli/study_reader.h"
+#include "stimuli/study_warnings.h"
 #include "tests/import/glb_maker.h"
 #include "tests/study_fixture.h"
 
@@ -231,6 +232,9 @@ TEST_F(SceneStudy, AFileWithoutLightsGetsASunOnlyAtTheHighestLevel) {
     EXPECT_EQ(opened.level("high"), Validity::kHigh);
     EXPECT_THROW((void)opened.level("higher"), base::Error);
     EXPECT_THROW((void)open_scene("atrum"), base::Error);
+    SceneSettings twice;
+    twice.scale = 2.0;
+    EXPECT_THROW((void)open_scene("relic", twice), base::Error);
 }
 
 TEST_F(SceneStudy, ImagesOfAFilesSceneAreMadeAndMadeAgainWhenTheFileChanges) {
@@ -261,6 +265,22 @@ TEST_F(SceneStudy, ImagesOfAFilesSceneAreMadeAndMadeAgainWhenTheFileChanges) {
     Study other = study;
     other.scenes[0].settings.camera->position_m.x = 5.0F;
     EXPECT_THAT(problems_of_stimuli(other, out), Contains(HasSubstr("the study asks for")));
+}
+
+TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
+    base::write_file_atomically(folder_ / "models/box.obj",
+                                "mtllib absent.mtl\n" + std::string(kBox));
+    const StudyReading reading = read("camera = \"overview\"\nvalidity = \"high\"\nambient = 0.5");
+    ASSERT_EQ(to_lines(reading.problems, "study"), "");
+    const std::vector<std::string> warnings = warnings_of(reading.study);
+    EXPECT_THAT(warnings, testing::Contains(HasSubstr("absent.mtl: the file is missing")));
+    EXPECT_THAT(warnings, testing::Contains(HasSubstr("ambient light has no effect at the "
+                                                      "validity high")));
+    const std::filesystem::path out = folder_ / "images";
+    (void)generate(reading.study, {}, out, true, test_catalogue());
+    const Manifest manifest = load_manifest(out / "manifest.json");
+    EXPECT_THAT(manifest.images.at(0).scene_notes, testing::Contains(HasSubstr("absent.mtl")));
+    EXPECT_THAT(warnings_of(load_study("jakobsen2010")), testing::IsEmpty());
 }
 
 TEST_F(SceneStudy, TheExampleOverTheOriginalScenesLacksNothingButItsFiles) {

@@ -6,6 +6,7 @@
 
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
+#include "renderer/passes/shared_constants.h"
 #include "tests/test_scenes.h"
 
 namespace obscura::renderer {
@@ -76,6 +77,44 @@ TEST_F(Supersampling, LetsNoAccessibilityLeakOverASilhouette) {
         }
         EXPECT_GT(near, 1000 * samples);
     }
+}
+
+TEST_F(Supersampling, GivesWhatNoPixelsMiddleSeesTheAccessibilityOfASurfaceBesideIt) {
+    // Bars thinner than a pixel before the sky, beside a wall: samples of a bar lie in pixels whose
+    // middle sees the sky, some of them next to pixels that see something.
+    Scene scene = tests::empty_scene();
+    tests::add_quad(scene, {-8.0F, -4.0F, -4.0F}, {8.02F, 0.0F, 0.0F}, {0.4F, 8.0F, 0.0F});
+    for (int i = 0; i < 40; ++i) {
+        const float x = -0.3F + 0.043F * static_cast<float>(i);
+        tests::add_quad(scene, {x, -4.0F, -3.0F}, {0.012F, 0.0F, 0.0F}, {0.3F, 8.0F, 0.0F});
+    }
+    const std::vector<float> depth_m =
+        render(scene, choice_of("crytek"), {}).read_floats(Target::kDepth);
+    const auto traced = [&](const Camera&, int, int, const TechniqueChoice&) {
+        return std::vector<float>(depth_m.size(), 0.25F);
+    };
+    const Frame frame = render(scene, choice_of("reference"), {.supersampling = 2}, traced);
+    const std::vector<float> sample_depth_m = frame.read_floats(Target::kDepth);
+    const std::vector<float> shown = frame.read_components(Target::kDisplay, 1);
+    const auto empty = [&](int x, int y) {
+        return depth_m[static_cast<std::size_t>(y) * kWidth + x] >= kBackgroundLimit_m;
+    };
+    int beside = 0;
+    for (int y = 2; y < 2 * kHeight - 2; ++y) {
+        for (int x = 2; x < 2 * kWidth - 2; ++x) {
+            const auto i = static_cast<std::size_t>(y) * 2 * kWidth + x;
+            if (sample_depth_m[i] >= kBackgroundLimit_m) continue;
+            const int aside = x / 2 + (x % 2 == 0 ? -1 : 1);
+            const int above = y / 2 + (y % 2 == 0 ? -1 : 1);
+            if (empty(x / 2, y / 2) && empty(aside, y / 2) && empty(x / 2, above) &&
+                empty(aside, above)) {
+                continue;
+            }
+            beside += empty(x / 2, y / 2) ? 1 : 0;
+            ASSERT_NEAR(shown[i] * 255.0F, 137.0F, 0.6F) << x << ' ' << y;
+        }
+    }
+    EXPECT_GT(beside, 50) << "the test saw too little";
 }
 
 TEST_F(Supersampling, MakesDepthAndAlbedoOnlyWhereTheTechniqueReadsNoMore) {

@@ -62,9 +62,9 @@ TEST(ViewBuffers, AnImageOfAStudyThatTakesThemOverIsTheSameToTheByte) {
 class TakenOver : public testing::Test {
   protected:
     Frame render(const renderer::TechniqueChoice& choice, const renderer::FrameOptions& options,
-                 const renderer::ViewBuffers& known = {}) {
+                 const renderer::ViewBuffers& known = {}, int width = 32) {
         return renderer_.render(gpu_, lighting_, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene_, lighting_), choice, 32, 32, options),
+                                plan_frame(needs_of(scene_, lighting_), choice, width, 32, options),
                                 {}, known);
     }
     static bool has(const Frame& frame, Pass pass) {
@@ -94,12 +94,17 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
         if (options.all_buffers) {  // one of them with a shadow map is enough, they are large
             lighting.lights.push_back({glm::vec3(0.4F, 0.8F, 0.4F), glm::vec3(3.0F)});
         }
-        for (const char* name : {"none", "blizzard", "crytek", "raymarch", "none"}) {
+        const auto half_open = [](const renderer::Camera&, int width, int height,
+                                  const renderer::TechniqueChoice&) {
+            return std::vector<float>(static_cast<std::size_t>(width * height), 0.5F);
+        };
+        for (const char* name : {"none", "blizzard", "reference", "crytek", "raymarch", "none"}) {
             const renderer::TechniqueChoice choice = tests::choice_of(name);
             const auto render = [&](const renderer::ViewBuffers& from) {
                 return renderer_.render(
                     gpu, lighting, tests::forward_camera(), choice,
-                    plan_frame(needs_of(scene, lighting), choice, 48, 32, options), {}, from);
+                    plan_frame(needs_of(scene, lighting), choice, 48, 32, options), half_open,
+                    from);
             };
             const Frame alone = render({});
             const Frame next = render(known);
@@ -134,6 +139,8 @@ TEST_F(TakenOver, IsNothingOfAnotherSizeFormatOrOption) {
         render({"crytek", 24, {}, "none"}, {.occluding_opacity = 0.5F}, crytek.view_buffers())
             .taken_over()
             .empty());
+    EXPECT_TRUE(
+        render({"crytek", 24, {}, "none"}, {}, crytek.view_buffers(), 33).taken_over().empty());
     renderer::TechniqueChoice half{"crytek", 24, {}, "none"};
     half.depth_format = "r16f";
     EXPECT_TRUE(render(half, {}, crytek.view_buffers()).taken_over().empty());

@@ -237,7 +237,8 @@ Command ao_command() {
     return {"ao", "One accessibility buffer by any technique, the ray-traced reference included",
             [](CLI::App& app, const Globals& globals) -> std::function<base::ExitCode()> {
                 const auto options = std::make_shared<AoOptions>();
-                app.add_option("--scene", options->scene, "Built-in scene");
+                app.add_option("--scene", options->scene,
+                               "Built-in scene, or a file that ends in .gltf, .glb or .obj");
                 app.add_option("--camera", options->camera, "Its camera (default: the first)");
                 app.add_option("--validity", options->validity,
                                "low, moderate or high: the level of the scene's light (default: "

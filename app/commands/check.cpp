@@ -6,20 +6,25 @@
 #include <memory>
 
 #include "app/commands/list.h"
-#include "stimuli/study.h"
+#include "renderer/base/error.h"
+#include "stimuli/study_warnings.h"
 
 namespace obscura::app {
 namespace {
 
 base::ExitCode check(const std::string& file_or_name) {
     const stimuli::StudySource source = stimuli::study_source(file_or_name);
-    const auto problems = stimuli::problems_of_study(source.text, source.folder);
-    if (!problems.empty()) {
-        fmt::print("{}\n", stimuli::to_lines(problems, source.name));
+    stimuli::Study study;
+    try {
+        study = stimuli::parse_study(source.text, source.name, source.folder);
+    } catch (const base::Error& problems) {
+        if (problems.code() != base::ExitCode::kBadInput) throw;
+        fmt::print("{}\n", problems.what());
         return base::ExitCode::kBadInput;
     }
-    const stimuli::Study study = stimuli::parse_study(source.text, source.name, source.folder,
-                                                      stimuli::SceneFiles::kTrusted);
+    for (const std::string& warning : stimuli::warnings_of(study)) {
+        fmt::print("{}: warning: {}\n", source.name, warning);
+    }
     const std::size_t conditions = study.conditions.size();
     fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,
                conditions == 1 ? "" : "s", 2 * conditions);

@@ -9,6 +9,7 @@
 #include "app/commands/variants_help.h"
 #include "renderer/base/log.h"
 #include "stimuli/generate.h"
+#include "stimuli/study_warnings.h"
 
 namespace obscura::app {
 namespace {
@@ -48,6 +49,8 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
 
 base::ExitCode render(RenderOptions options, const Globals& globals) {
     const stimuli::Study study = stimuli::load_study(options.study);
+    for (const std::string& warning : stimuli::warnings_of(study))
+        spdlog::warn("warning: {}", warning);
     if (!options.shard.empty()) parse_shard(options.shard, options.selection);
     const std::filesystem::path folder = options.out.empty()
                                              ? stimuli::stimuli_folder(globals.data, study)
@@ -89,7 +92,8 @@ Command render_command() {
                 ->excludes(verify_flag);
             app.add_flag("--aov", options->selection.buffers,
                          "Also write CONDITION-a.exr and -b.exr: depth (m), view-space normal, "
-                         "albedo, accessibility and light, with the camera's matrices");
+                         "albedo, accessibility and light, with the camera's matrices")
+                ->excludes(verify_flag);
             app.footer(
                 "A variant in a study file: { technique = NAME, samples = N, PARAMETER = NUMBER, "
                 "denoise = FILTER }\n" +

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <memory>
@@ -78,9 +79,21 @@ base::ExitCode export_scene(const SceneOptions& options) {
     spdlog::info("{}: {} bytes, {} triangles, {} cameras, {} lights", options.out, bytes.size(),
                  scene.scene->triangle_count(), scene.scene->cameras.size(),
                  lighting.lights.size() + lighting.point_lights.size());
+    std::vector<std::string> left_out;
     if (lighting.environment) {
-        spdlog::info("left out, since glTF has no place for it: the environment ({})",
-                     lighting.environment->name);
+        left_out.push_back(fmt::format("the environment ({})", lighting.environment->name));
+    } else {
+        left_out.emplace_back("ambient light");
+    }
+    if (lighting.tone_mapping) {
+        left_out.push_back(fmt::format("tone mapping ({} curve, exposure {:g}, white {:g})",
+                                       to_string(lighting.tone_mapping->curve),
+                                       lighting.tone_mapping->exposure,
+                                       lighting.tone_mapping->white));
+    }
+    spdlog::info("left out, since glTF has no place for it: {}", fmt::join(left_out, ", "));
+    if (!scene.builtin) {
+        spdlog::info("a camera or light that the file lacks is written as Obscura shows it");
     }
     return base::ExitCode::kDone;
 }

@@ -3,6 +3,7 @@
 #include "renderer/frame/frame.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -123,7 +124,8 @@ ViewBuffers Frame::view_buffers() const {
             buffers.textures.emplace(target, textures_.at(target));
         }
     }
-    buffers.times = times;
+    std::copy_if(times.begin(), times.end(), std::back_inserter(buffers.times),
+                 [](const PassTime& time) { return depends_on_the_view_only(time.pass); });
     return buffers;
 }
 

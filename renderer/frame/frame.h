@@ -25,7 +25,7 @@ struct PassTime {
 struct ViewBuffers {
     FramePlan plan;
     std::map<Target, std::shared_ptr<gl::Texture>> textures;
-    std::vector<PassTime> times;
+    std::vector<PassTime> times;  ///< of the passes that made them
 };
 
 /// The buffers of one rendered image, until the next one is wanted.

@@ -107,7 +107,11 @@ void Planner::plan_geometry() {
     if (depth) writes.push_back(Target::kDepth);
     if (needs().emission) writes.push_back(Target::kEmission);
     pass(Pass::kGeometry, {}, writes);
-    if (!normal) leave_out("normal", "neither the technique nor the light reads it");
+    if (!normal) {
+        leave_out("normal", accessibility_ && technique_.reads_normal
+                                ? "the light reads none, and the technique has its own"
+                                : "neither the technique nor the light reads it");
+    }
     if (!depth) leave_out("depth", "neither the technique nor a light reads it");
     if (!needs().emission) {
         leave_out("emission", "no material sends out light or has baked accessibility");

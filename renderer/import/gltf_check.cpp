@@ -145,6 +145,12 @@ GltfFile::GltfFile(std::string bytes, std::string name, const Reader& read, Note
             "their own or a .glb",
             name_, json_text_.size(), kMostJsonBytes);
     }
+    if (json_text_.empty() || json_text_.find_first_not_of(" \t\r\n") == std::string::npos) {
+        throw base::bad_input("{}: it is empty", name_);
+    }
+    if (json_text_[json_text_.find_first_not_of(" \t\r\n")] != '{') {
+        throw base::bad_input("{}: it is neither a binary glTF nor a JSON object", name_);
+    }
     try {
         json_ = nlohmann::json::parse(json_text_);
     } catch (const nlohmann::json::exception& error) {

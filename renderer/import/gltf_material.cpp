@@ -43,17 +43,22 @@ GltfMaterials::GltfMaterials(const GltfFile& file, FilesRead& files, Notes& note
 void GltfMaterials::read() {
     const JsonCursor root = file_.root();
     const std::size_t count = root.count("materials");
+    std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < count; ++i) {
         const JsonCursor cursor = root.at("materials").item(i);
-        read_material(cursor, cursor.name(fmt::format("material-{}", i)));
+        surfaces.push_back(read_surface(cursor, cursor.name(fmt::format("material-{}", i))));
     }
+    // Roughness last: where memory for textures ends, it is what is missed least.
+    for (Surface& surface : surfaces) add(surface);
 }
 
 std::uint32_t GltfMaterials::standard() {
     if (!standard_) {
         static const nlohmann::json kEmpty = nlohmann::json::object();
         standard_ = static_cast<std::uint32_t>(scene_.materials.size());
-        read_material(JsonCursor(kEmpty, "the standard material", file_.name()), "standard");
+        Surface surface =
+            read_surface(JsonCursor(kEmpty, "the standard material", file_.name()), "standard");
+        add(surface);
     }
     return *standard_;
 }
@@ -79,7 +84,8 @@ std::optional<GltfMaterials::Use> GltfMaterials::find_use(const std::optional<Js
     return use;
 }
 
-void GltfMaterials::read_material(const JsonCursor& cursor, const std::string& name) {
+GltfMaterials::Surface GltfMaterials::read_surface(const JsonCursor& cursor,
+                                                   const std::string& name) {
     Surface surface;
     surface.material.name = name;
     surface.material.double_sided = cursor.truth("doubleSided", false);
@@ -87,7 +93,11 @@ void GltfMaterials::read_material(const JsonCursor& cursor, const std::string& n
     read_extensions(cursor, surface);
     read_coverage(cursor, surface.material);
     read_textures(cursor, surface);
+    return surface;
+}
 
+void GltfMaterials::add(Surface& surface) {
+    read_roughness(surface);
     Material& material = surface.material;
     // With a texture the shader mixes in the metal, texel by texel.
     const bool textured = material.roughness_texture != kNoTexture;
@@ -96,11 +106,11 @@ void GltfMaterials::read_material(const JsonCursor& cursor, const std::string& n
     material.specular_intensity =
         std::clamp(glm::mix(static_cast<float>(surface.reflectance), metal, metalness), 0.0F, 1.0F);
     material.specular_power = blinn_phong_power(surface.roughness);
-    if (surface.metallic > 0.5) {
+    if (surface.metallic >= 0.25) {
         notes_.add(
             "metals are approximated: their base colour in even light, and highlights, but no "
             "reflections",
-            name);
+            material.name);
     }
     scene_.materials.push_back(material);
     mappings_.push_back(surface.mapping.value_or(UvMapping{}));
@@ -153,6 +163,9 @@ void GltfMaterials::read_extensions(const JsonCursor& cursor, Surface& surface) 
                                                     glm::vec3(colour[0], colour[1], colour[2])))) *
             specular->number("specularFactor", 1.0, 0.0, 1.0);
         surface.reflectance = std::max(surface.reflectance, 0.0);
+        if (colour[0] != colour[1] || colour[1] != colour[2]) {
+            notes_.add("coloured highlights are white, of the same luminance", name);
+        }
         if (specular->find("specularTexture") || specular->find("specularColorTexture")) {
             notes_.add("specular textures are left out, their factors used", name);
         }
@@ -205,14 +218,6 @@ void GltfMaterials::read_textures(const JsonCursor& cursor, Surface& surface) {
     if (lies_alike(normal, surface, "normal")) {
         material.normal_texture = texture(*normal, false, normal->info.number("scale", 1.0), "");
     }
-    if (lies_alike(surface.metallic_roughness, surface, "metallic-roughness")) {
-        material.roughness = static_cast<float>(surface.roughness);
-        material.metalness = static_cast<float>(surface.metallic);
-        material.roughness_texture = texture(*surface.metallic_roughness, false, 1.0, "");
-        const glm::vec3 mean = mean_of(material.roughness_texture);
-        surface.roughness *= static_cast<double>(mean.y);
-        surface.metallic *= static_cast<double>(mean.z);
-    }
     const auto occlusion = find_use(cursor, "occlusionTexture");
     if (lies_alike(occlusion, surface, "occlusion")) {
         material.occlusion_strength =
@@ -233,6 +238,26 @@ void GltfMaterials::read_textures(const JsonCursor& cursor, Surface& surface) {
         material.emissive_texture = texture(*emissive, true, 1.0, "");
         if (material.emissive_texture == kNoTexture) material.emissive = glm::vec3(0.0F);
     }
+}
+
+void GltfMaterials::read_roughness(Surface& surface) {
+    if (!surface.metallic_roughness) return;
+    const Use& use = *surface.metallic_roughness;
+    Material& material = surface.material;
+    if (!surface.mapping) surface.mapping = use.mapping;
+    if (*surface.mapping == use.mapping) {
+        material.roughness = static_cast<float>(surface.roughness);
+        material.metalness = static_cast<float>(surface.metallic);
+        material.roughness_texture = texture(use, false, 1.0, "");
+    } else {
+        notes_.add(
+            "metallic-roughness textures with other texture coordinates than the material's first "
+            "texture are replaced by their mean",
+            material.name);
+    }
+    const glm::vec3 mean = mean_of(use);
+    surface.roughness *= static_cast<double>(mean.y);
+    surface.metallic *= static_cast<double>(mean.z);
 }
 
 std::optional<std::size_t> GltfMaterials::image_of(const Use& use) {
@@ -312,16 +337,24 @@ TextureIndex GltfMaterials::texture(const Use& use, bool srgb, double normal_sca
     return index;
 }
 
-glm::vec3 GltfMaterials::mean_of(TextureIndex index) {
-    if (index == kNoTexture) return glm::vec3(1.0F);
-    const auto [known, fresh] = means_.try_emplace(index, 0.0F);
+glm::vec3 GltfMaterials::mean_of(const Use& use) {
+    const auto image = image_of(use);
+    if (!image) return glm::vec3(1.0F);
+    const auto [known, fresh] = means_.try_emplace(*image, 1.0F);
     if (!fresh) return known->second;
-    const std::vector<std::uint8_t>& rgba = scene_.textures[static_cast<std::size_t>(index)].rgba;
+    const auto kept = textures_.find(std::tuple(*image, false, 1.0));
+    const bool in_scene = kept != textures_.end() && kept->second != kNoTexture;
+    std::string ignored;  // texture() notes why, where it is asked for
+    const auto decoded = in_scene ? std::nullopt : decode(*image, false, ignored);
+    if (!in_scene && !decoded) return known->second;
+    const Texture& texels =
+        in_scene ? scene_.textures[static_cast<std::size_t>(kept->second)] : *decoded;
     glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        sum += glm::dvec3(rgba[i], rgba[i + 1], rgba[i + 2]);
+    for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {
+        sum += glm::dvec3(texels.rgba[i], texels.rgba[i + 1], texels.rgba[i + 2]);
     }
-    known->second = sum / (255.0 * static_cast<double>(rgba.size() / 4));
+    known->second = sum / (255.0 * static_cast<double>(texels.rgba.size() / 4));
+    if (decoded) decoder_.give_back(*decoded);
     return known->second;
 }
 

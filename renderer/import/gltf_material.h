@@ -60,7 +60,9 @@ class GltfMaterials {
     };
     struct Surface;
 
-    void read_material(const JsonCursor& cursor, const std::string& name);
+    [[nodiscard]] Surface read_surface(const JsonCursor& cursor, const std::string& name);
+    /// Adds the surface's material to the scene, with its texture of roughness.
+    void add(Surface& surface);
     [[nodiscard]] std::optional<Use> find_use(const std::optional<JsonCursor>& owner,
                                               const char* key) const;
     void read_metallic_roughness(const JsonCursor& cursor, Surface& surface);
@@ -68,6 +70,7 @@ class GltfMaterials {
     void read_extensions(const JsonCursor& cursor, Surface& surface);
     void read_coverage(const JsonCursor& cursor, Material& material);
     void read_textures(const JsonCursor& cursor, Surface& surface);
+    void read_roughness(Surface& surface);
     /// Whether the texture lies as the material's others do; notes it where it does not.
     bool lies_alike(const std::optional<Use>& use, Surface& surface, const char* what);
 
@@ -78,8 +81,8 @@ class GltfMaterials {
     /// Index of the texture in the scene; kNoTexture, with a note, where it cannot be read.
     [[nodiscard]] TextureIndex texture(const Use& use, bool srgb, double normal_scale,
                                        const char* instead);
-    /// Of all its texels, [0, 1]; 1 without a texture.
-    [[nodiscard]] glm::vec3 mean_of(TextureIndex index);
+    /// Of all texels, [0, 1]; 1 where there are none that can be read.
+    [[nodiscard]] glm::vec3 mean_of(const Use& use);
 
     const GltfFile& file_;
     FilesRead& files_;
@@ -89,7 +92,7 @@ class GltfMaterials {
     std::vector<UvMapping> mappings_;
     std::optional<std::uint32_t> standard_;
     std::map<std::tuple<std::size_t, bool, double>, TextureIndex> textures_;
-    std::map<TextureIndex, glm::vec3> means_;
+    std::map<std::size_t, glm::vec3> means_;  ///< by image
 };
 
 }  // namespace obscura::renderer::import_detail

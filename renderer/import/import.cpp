@@ -11,6 +11,7 @@
 
 #include "renderer/base/check.h"
 #include "renderer/import/gltf_import.h"
+#include "renderer/import/mesh_finish.h"
 #include "renderer/light/shadow.h"
 
 namespace obscura::renderer {
@@ -105,6 +106,17 @@ void finish_import(ImportedScene& imported, const std::string& name, Notes& note
     Scene& scene = imported.scene;
     if (scene.triangle_count() == 0) throw base::bad_input("{}: it holds no triangles", name);
     check_coordinates(scene, name);
+    std::size_t with_area = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        const Sides sides = sides_of(mesh);
+        with_area += sides.with_area;
+        if (sides.against_normals > 0) {
+            notes.add(
+                "triangles whose normals point to their back are lit as their normals say",
+                fmt::format("{} of {} in {}", sides.against_normals, sides.with_area, mesh.name));
+        }
+    }
+    if (with_area == 0) throw base::bad_input("{}: no triangle in it has an area", name);
     finish_cameras(scene, name, notes);
     if (scene.cameras.empty()) {
         notes.add(

@@ -117,6 +117,19 @@ std::size_t mend_normals(Mesh& mesh) {
     return mended;
 }
 
+Sides sides_of(const Mesh& mesh) {
+    Sides sides;
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        const dvec3 area = area_vector(mesh, first);
+        if (!(glm::length(area) > 0.0)) continue;
+        ++sides.with_area;
+        dvec3 normal(0.0);
+        for (std::size_t k = 0; k < 3; ++k) normal += mesh.vertices[mesh.indices[first + k]].normal;
+        if (glm::dot(area, normal) < 0.0) ++sides.against_normals;
+    }
+    return sides;
+}
+
 void make_tangents(Mesh& mesh) {
     std::vector<Mapping> mappings;
     for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {

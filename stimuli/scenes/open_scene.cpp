@@ -139,6 +139,9 @@ OpenedScene open_scene(const std::string& id_or_file, const SceneSettings& setti
                 "there is no scene \"{}\"; there are {}and files that end in .gltf, .glb or .obj",
                 id_or_file, known);
         }
+        if (settings.scale != 1.0) {
+            throw base::bad_input("scale: {} is built in and in metres, allowed is 1", id_or_file);
+        }
         opened = open_builtin(*builtin);
     }
     add_settings(opened, settings, folder);

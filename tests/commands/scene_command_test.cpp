@@ -35,6 +35,7 @@ TEST(SceneCommand, ExportWritesAFileThatInspectReads) {
     EXPECT_THAT(read.out, HasSubstr("triangles: 1 in 1 meshes"));
     EXPECT_THAT(read.out, HasSubstr("overview: at"));
     EXPECT_THAT(read.out, HasSubstr("directional light"));
+    EXPECT_THAT(made.err + made.out, HasSubstr("tone mapping"));
 }
 
 TEST(SceneCommand, WhatCannotBeReadEndsInAMessageAndLeavesNoFile) {

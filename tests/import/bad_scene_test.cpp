@@ -302,6 +302,24 @@ TEST(BadScene, JsonNestedDeepIsRefusedAndDoesNotOverflowTheStack) {
                                            "}");
 }
 
+TEST(BadScene, AFileWithoutAnythingToSeeIsRefused) {
+    const tests::TemporaryFolder folder;
+    const auto refusal = [&](const char* name, std::string_view text) -> std::string {
+        base::write_file_atomically(folder / name, text);
+        try {
+            (void)import_scene(folder / name);
+        } catch (const base::Error& error) {
+            EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_THAT(refusal("empty.glb", ""), HasSubstr("it is empty"));
+    EXPECT_THAT(refusal("image.glb", "\x89PNG\r\n"), HasSubstr("neither a binary glTF nor"));
+    EXPECT_THAT(refusal("flat.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n"),
+                HasSubstr("no triangle in it has an area"));
+}
+
 TEST(BadScene, AFileThatIsMissingOrOfAnotherKindIsRefused) {
     EXPECT_THROW((void)import_scene("/nowhere/scene.glb"), base::Error);
     EXPECT_THROW((void)import_scene("/nowhere/scene.fbx"), base::Error);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/base/error.h"
+#include "renderer/import/mesh_finish.h"
 #include "renderer/scene/surface_conversion.h"
 #include "tests/import/glb_maker.h"
 
@@ -193,6 +194,37 @@ TEST(GltfImport, AMetallicRoughnessTextureIsKeptWithItsFactors) {
     EXPECT_THAT(imported.notes, testing::Not(Contains(HasSubstr("metal"))));
 }
 
+TEST(GltfImport, AMetallicRoughnessTextureThatLiesElsewhereCountsByItsMean) {
+    GlbMaker glb = triangle_glb();
+    const int colour = glb.add_image(plain_texture(2, {200, 100, 50, 255}));
+    const int rough = glb.add_image(plain_texture(4, {0, 128, 0, 255}));  // and no metal
+    glb.json["materials"][0]["pbrMetallicRoughness"] = {
+        {"baseColorTexture",
+         {{"index", colour}, {"extensions", {{"KHR_texture_transform", {{"scale", {4.0, 4.0}}}}}}}},
+        {"metallicRoughnessTexture", {{"index", rough}}},
+        {"roughnessFactor", 0.8}};
+    const ImportedScene imported = glb.import();
+    const Material& material = imported.scene.materials[0];
+    EXPECT_EQ(material.roughness_texture, kNoTexture);
+    EXPECT_EQ(imported.scene.textures.size(), 1U);
+    EXPECT_NEAR(material.specular_power, blinn_phong_power(0.8 * 128.0 / 255.0), 1e-2F);
+    EXPECT_NEAR(material.specular_intensity, 0.04F, 1e-6F);
+    EXPECT_THAT(imported.notes, Contains(HasSubstr("replaced by their mean")));
+}
+
+TEST(GltfImport, AMetallicRoughnessTextureLeavesOtherTexturesTheirCoordinates) {
+    GlbMaker glb = triangle_glb();
+    const int rough = glb.add_image(plain_texture(4, {0, 128, 0, 255}));
+    const int baked = glb.add_image(plain_texture(2, {90, 0, 0, 255}));
+    glb.json["materials"][0]["pbrMetallicRoughness"] = {
+        {"metallicRoughnessTexture", {{"index", rough}}}};
+    glb.json["materials"][0]["occlusionTexture"] = {
+        {"index", baked}, {"extensions", {{"KHR_texture_transform", {{"scale", {2.0, 2.0}}}}}}};
+    const Material& material = glb.import().scene.materials[0];
+    EXPECT_NE(material.occlusion_texture, kNoTexture);
+    EXPECT_EQ(material.roughness_texture, kNoTexture);
+}
+
 TEST(GltfImport, AMissingMetallicRoughnessTextureLeavesTheFactors) {
     GlbMaker glb = triangle_glb();
     glb.json["images"].push_back({{"uri", "absent.png"}});
@@ -205,6 +237,16 @@ TEST(GltfImport, AMissingMetallicRoughnessTextureLeavesTheFactors) {
     EXPECT_EQ(imported.scene.materials[0].roughness_texture, kNoTexture);
     EXPECT_NEAR(imported.scene.materials[0].specular_power, blinn_phong_power(0.5), 1e-3F);
     EXPECT_THAT(imported.notes, Contains(HasSubstr("absent.png")));
+}
+
+TEST(GltfImport, TrianglesThatTurnAgainstTheirNormalsAreNoted) {
+    GlbMaker glb = triangle_glb();
+    EXPECT_THAT(glb.import().notes, testing::Not(Contains(HasSubstr("point to their back"))));
+    Scene scene = glb.import().scene;
+    std::swap(scene.meshes[0].indices[0], scene.meshes[0].indices[1]);
+    const import_detail::Sides sides = import_detail::sides_of(scene.meshes[0]);
+    EXPECT_EQ(sides.with_area, 1U);
+    EXPECT_EQ(sides.against_normals, 1U);
 }
 
 TEST(GltfImport, MissingTangentsPointAlongUAndTheBitangentUpInTheImage) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
 
-/// Distance to the nearest of several sculptures, exact within kReach_m of their surfaces: a grid
+/// Distance to the nearest of several sculptures, nearly exact within kReach_m of them: a grid
 /// whose cells know which parts are near.
 class NearField {
   public:
@@ -57,7 +57,7 @@ class NearField {
     struct Near {
         const Sculpture* sculpture = nullptr;
         std::vector<Sculpture::Part> parts;
-        float at_centre_m = 0.0F;
+        float at_centre_m = 0.0F;  ///< distance from the cell's centre, at least
     };
 
     [[nodiscard]] std::size_t index(const glm::ivec3& cell) const {
@@ -74,7 +74,8 @@ class NearField {
             part.solid.localise(centre, kReachOfCell_m, near,
                                 owners_[static_cast<std::size_t>(cell.z)]);
             if (near.empty()) continue;
-            const float at_centre_m = part.solid.distance(centre, near);
+            const float at_centre_m =
+                part.solid.distance(centre, near) - part.solid.relief_high(near);
             cells_[index(cell)].push_back({&part.solid, std::move(near), at_centre_m});
         }
         std::stable_sort(

@@ -99,8 +99,10 @@ class Mesher {
     [[nodiscard]] bool may_cross(const glm::vec3& centre, float half,
                                  std::span<const Sculpture::Part> parts) const {
         const float radius_m = std::sqrt(3.0F) * half * cell_m_;
+        const float high_m = sculpture_.relief_high(parts);
         const float middle = sculpture_.distance(centre, parts);
-        return middle <= kSlackOutside * radius_m && middle >= -kSlackInside * radius_m;
+        return middle <= kSlackOutside * radius_m + high_m &&
+               middle >= -kSlackInside * radius_m - high_m;
     }
 
     /// Adds regions, or within one its blocks.

@@ -64,6 +64,8 @@ class Sculpture {
     void localise(const glm::vec3& point_m, float radius_m, std::vector<Part>& parts,
                   std::vector<ShapePtr>& owners) const;
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
+    /// By how much the surface of the parts may be raised or lowered at most.
+    [[nodiscard]] float relief_high(std::span<const Part> parts) const;
     [[nodiscard]] float distance(const glm::vec3& point_m, std::span<const Part> parts) const;
     /// As distance() where that is below the limit; otherwise anything not below it.
     [[nodiscard]] float distance_below(const glm::vec3& point_m, float limit_m,

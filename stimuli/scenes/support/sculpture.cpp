@@ -218,6 +218,12 @@ Bounds Sculpture::bounds() const {
     return result;
 }
 
+float Sculpture::relief_high(std::span<const Part> parts) const {
+    float high = 0.0F;
+    for (const Part& part : parts) high = std::max(high, part.relief_high_m);
+    return high + displacement_.high_m;
+}
+
 std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float radius_m,
                                              std::span<const Part> parts) const {
     std::vector<Part> result;

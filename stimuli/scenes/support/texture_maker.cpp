@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -68,10 +69,21 @@ void for_each_row(int rows, const std::function<void(int)>& row) {
             error = std::current_exception();
         }
     };
+    // Calls within calls share what threads there may be.
+    static std::atomic<int> helping{0};
+    const int most = 2 * static_cast<int>(std::thread::hardware_concurrency());
     std::vector<std::thread> helpers;
-    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
+    while (static_cast<int>(helpers.size()) < threads - 1 && helping < most) {
+        try {
+            helpers.emplace_back(work);
+        } catch (const std::system_error&) {
+            break;  // those that there are do it
+        }
+        ++helping;
+    }
     work();
     for (std::thread& helper : helpers) helper.join();
+    helping -= static_cast<int>(helpers.size());
     if (error) std::rethrow_exception(error);
 }
 

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stimuli/study.h"
+
+namespace obscura::stimuli {
+
+/// What is sound in a study but may not be what its author expects, a sentence each, naming the
+/// scene: what of a scene's file is not shown or replaced (a missing texture), and settings that
+/// have no effect at the scene's level. Files are told of where the study was read with
+/// SceneFiles::kOpened.
+[[nodiscard]] std::vector<std::string> warnings_of(const Study& study);
+
+}  // namespace obscura::stimuli
