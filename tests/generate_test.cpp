@@ -8,8 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <memory>
+#include <thread>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -258,7 +260,12 @@ TEST_F(Generate, AFullDiskFailsClearlyAndLeavesOnlyWholeFiles) {
 
 TEST_F(Generate, BeingKilledLeavesNoHalfFile) {
     int images = 0;
-    for (const int delay_ms : {300, 500, 700, 900, 1100}) {
+    // Moments of the time that it takes here, whatever the machine and the build.
+    const auto begun = std::chrono::steady_clock::now();
+    make();
+    const std::chrono::duration<double, std::micro> whole =
+        std::chrono::steady_clock::now() - begun;
+    for (const double share : {0.3, 0.5, 0.7, 0.9, 1.1}) {
         const pid_t child = ::fork();
         if (child == 0) {
             for (;;) {
@@ -266,7 +273,7 @@ TEST_F(Generate, BeingKilledLeavesNoHalfFile) {
                 make();
             }
         }
-        ::usleep(static_cast<useconds_t>(delay_ms) * 1000);
+        std::this_thread::sleep_for(share * whole);
         ::kill(child, SIGKILL);
         int status = 0;
         ::waitpid(child, &status, 0);

@@ -14,6 +14,7 @@ const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's own name
            "leak:libEGL\n"
            "leak:libGLX\n"
            "leak:libLLVM\n"
+           "leak:libfontconfig\n"
            "leak:ImageInput::geterror\n";  // OpenImageIO keeps the last message of each thread
 }
 }

@@ -220,7 +220,7 @@ TEST(GltfImport, AMetallicRoughnessTextureLeavesOtherTexturesTheirCoordinates) {
         {"metallicRoughnessTexture", {{"index", rough}}}};
     glb.json["materials"][0]["occlusionTexture"] = {
         {"index", baked}, {"extensions", {{"KHR_texture_transform", {{"scale", {2.0, 2.0}}}}}}};
-    const Material& material = glb.import().scene.materials[0];
+    const Material material = glb.import().scene.materials[0];
     EXPECT_NE(material.occlusion_texture, kNoTexture);
     EXPECT_EQ(material.roughness_texture, kNoTexture);
 }
