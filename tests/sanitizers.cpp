@@ -9,6 +9,10 @@ extern "C" {
 /// Instead of the C library's: nothing is unloaded.
 int dlclose(void* /*handle*/) { return 0; }
 
+/// The sanitizer guesses where the thread-local memory of a library that was loaded late lies, and
+/// with the drivers here at times wrongly: it then falls over itself.
+const char* __asan_default_options() { return "intercept_tls_get_addr=0"; }  // NOLINT
+
 const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's own name
     return "leak:swrast_dri.so\n"
            "leak:libEGL\n"
