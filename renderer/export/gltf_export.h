@@ -17,7 +17,7 @@ namespace obscura::renderer {
 ///
 /// Surfaces become metallic-roughness: with their texture of roughness and its factors, or else
 /// with metallic 0 and the roughness of the Blinn-Phong power; the specular intensity as index of
-/// refraction (KHR_materials_ior; renderer/scene/ surface_conversion.h). Cameras keep their aim in
+/// refraction (KHR_materials_ior; renderer/scene/surface_conversion.h). Cameras keep their aim in
 /// `extras`, so that import_scene gives the same views to the bit. The same scene gives the same
 /// bytes. Throws bad input for an index out of range, a coordinate or normal that is not finite,
 /// more than 4 GiB.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstring>
 #include <fstream>
+#include <glm/glm.hpp>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -19,6 +22,10 @@ namespace obscura::tests {
 /// Writes without waiting for the disk.
 inline void write_quickly(const std::filesystem::path& path, std::string_view bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline void expect_near(const glm::vec3& met, const glm::vec3& expected, float tolerance = 1e-5F) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(met[i], expected[i], tolerance) << "component " << i;
 }
 
 /// A binary glTF file in the making: its JSON is free to be changed, wrong values too.
