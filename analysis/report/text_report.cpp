@@ -12,32 +12,31 @@
 namespace obscura::analysis {
 namespace {
 
-constexpr const char* kNoValue = "-";
 
 std::string number(const Possible<double>& value, const char* sign = "") {
-    if (!value.has_value()) return kNoValue;
+    if (!value.has_value()) return kNoText;
     return fmt::format(fmt::runtime(fmt::format("{{:{}.4f}}", sign)), *value);
 }
 
 std::string chi_square(const Possible<ChiSquareTest>& test) {
     constexpr double kShownInFull = 1e5;
-    if (!test.has_value()) return kNoValue;
+    if (!test.has_value()) return kNoText;
     return test->statistic < kShownInFull ? fmt::format("{:.4f}", test->statistic)
                                           : fmt::format("{:.6g}", test->statistic);
 }
 
 std::string interval(const Possible<Interval>& value) {
-    return value.has_value() ? fmt::format("{:.4f} to {:.4f}", value->low, value->high) : kNoValue;
+    return value.has_value() ? fmt::format("{:.4f} to {:.4f}", value->low, value->high) : kNoText;
 }
 
 std::string p_value(const Possible<PValue>& value) {
-    return value.has_value() ? p_text(*value) : kNoValue;
+    return value.has_value() ? p_text(*value) : kNoText;
 }
 
 /// Corrected p-values carry no logarithm.
 std::string p_holm(const Possible<double>& value) {
     constexpr double kSmallest = 1e-290;
-    if (!value.has_value()) return kNoValue;
+    if (!value.has_value()) return kNoText;
     return *value < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*value, 0.0});
 }
 
@@ -55,7 +54,7 @@ TextRow condition_row(const ConditionResult& result) {
             interval(preference.wilson),
             number(preference.cohens_g, "+"),
             chi_square(preference.chi_square),
-            tested ? p_text(preference.chi_square->p) : kNoValue,
+            tested ? p_text(preference.chi_square->p) : kNoText,
             p_value(preference.exact),
             p_holm(result.p_holm)};
 }
@@ -113,7 +112,7 @@ std::string order_bias_line(const Analysis& analysis) {
 
 std::string bayes_factor_text(const Possible<BayesFactor>& factor) {
     constexpr double kShownAsPower = 6.0;
-    if (!factor.has_value()) return kNoValue;
+    if (!factor.has_value()) return kNoText;
     if (std::abs(factor->log10_bf10) > kShownAsPower) {
         return fmt::format("10^{:.2f}", factor->log10_bf10);
     }
@@ -128,16 +127,16 @@ std::string belief_table(const Analysis& analysis) {
         const Possible<Posterior>& posterior = result.preference.posterior;
         const bool known = posterior.has_value();
         rows.push_back({result.condition.id,
-                        known ? fmt::format("{:.4f}", posterior->mean) : kNoValue,
-                        known ? interval(posterior->interval) : kNoValue,
-                        known ? p_text(posterior->above_half) : kNoValue,
+                        known ? fmt::format("{:.4f}", posterior->mean) : kNoText,
+                        known ? interval(posterior->interval) : kNoText,
+                        known ? p_text(posterior->above_half) : kNoText,
                         bayes_factor_text(result.preference.bayes_factor)});
     }
     return aligned(rows, 1);
 }
 
 std::string resampled_text(const Possible<std::vector<Bounds>>& intervals, std::size_t variant) {
-    if (!intervals.has_value()) return kNoValue;
+    if (!intervals.has_value()) return kNoText;
     const Bounds& own = (*intervals)[variant];
     return fmt::format("{:+.4f} to {:+.4f}", own.low, own.high);
 }
@@ -155,8 +154,8 @@ std::string scale_text(const VariantScale& scale) {
         rows.push_back(
             {scale.variants[i], fmt::format("{:+.4f}", scale.thurstone->values[i]),
              fmt::format("{:.4f}", scale.thurstone->standard_errors[i]),
-             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoValue,
-             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoValue,
+             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoText,
+             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoText,
              resampled_text(scale.resampled_jod, i)});
     }
     return aligned(rows, 1);

@@ -12,15 +12,14 @@
 namespace obscura::analysis {
 namespace {
 
-constexpr const char* kNoValue = "-";
 constexpr double kPercent = 100.0;
 
 std::string number(const Possible<std::int64_t>& value) {
-    return value.has_value() ? std::to_string(*value) : kNoValue;
+    return value.has_value() ? std::to_string(*value) : kNoText;
 }
 
 std::string share(const Possible<double>& value) {
-    return value.has_value() ? fmt::format("{:.4f}", *value) : kNoValue;
+    return value.has_value() ? fmt::format("{:.4f}", *value) : kNoText;
 }
 
 /// Successes of all together and the participants' own shares, or that there were no such trials.
@@ -36,13 +35,13 @@ std::string attention_line(const char* what, const Successes& trials,
 }
 
 TextRow times_row(const std::string& name, const Possible<ResponseTimeSummary>& times) {
-    if (!times.has_value()) return {name, "0", kNoValue, kNoValue, kNoValue, kNoValue};
+    if (!times.has_value()) return {name, "0", kNoText, kNoText, kNoText, kNoText};
     const Possible<Bounds>& interval = times->median_interval;
     return {name,
             std::to_string(times->seconds.n),
             fmt::format("{:.3f}", times->seconds.median),
             interval.has_value() ? fmt::format("{:.3f} to {:.3f}", interval->low, interval->high)
-                                 : kNoValue,
+                                 : kNoText,
             fmt::format("{:.3f}", times->seconds.first),
             fmt::format("{:.3f}", times->seconds.third)};
 }
