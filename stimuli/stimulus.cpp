@@ -115,19 +115,12 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options,
                                          const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
-                             stimulus.choice(), study_.width, study_.height, options);
-    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
-                            tracer(), known);
-}
-
-renderer::FrameOptions StimulusRenderer::options() const {
-    return {.supersampling = study_.supersampling, .occluding_opacity = study_.occluding_opacity};
+    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer()},
+                            stimulus.choice(), study_.width, study_.height, known);
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
-    return render(stimulus, options());
+    return render(stimulus, study_.frame_options());
 }
 
 renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
@@ -135,7 +128,7 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
         known_ = {};
         known_scene_ = stimulus.condition->scene;
     }
-    renderer::Frame frame = render(stimulus, options(), known_);
+    renderer::Frame frame = render(stimulus, study_.frame_options(), known_);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
@@ -145,12 +138,11 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
 renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
-    renderer::FrameOptions all = options();
-    all.all_buffers = true;
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of_everything(*loaded_.opened.scene, lighting),
-                             stimulus.choice(), study_.width, study_.height, all);
-    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
+    renderer::FrameOptions options = study_.frame_options();
+    options.all_buffers = true;
+    return renderer_.render({*loaded_.gpu, lighting, view.camera, options, tracer(),
+                             renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
+                            stimulus.choice(), study_.width, study_.height);
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {

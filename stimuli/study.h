@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/frame/plan.h"
 #include "renderer/import/import.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/order/order.h"
@@ -83,6 +84,8 @@ struct Study {
     std::filesystem::path folder;  ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
+    /// How every image of the study is rendered, whoever asks for it.
+    [[nodiscard]] renderer::FrameOptions frame_options() const;
     /// The condition of that id, or nullptr.
     [[nodiscard]] const Condition* find_condition(std::string_view id) const;
 };

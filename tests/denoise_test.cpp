@@ -20,8 +20,7 @@ class DenoiseTest : public testing::Test {
         TechniqueChoice choice = tests::choice_of(technique, denoise);
         choice.parameters = std::move(parameters);
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, {}, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene, {}), choice, 256, 256));
+        return renderer_.render({gpu, {}, tests::forward_camera()}, choice, 256, 256);
     }
     HeadlessContext context_;
     Renderer renderer_;

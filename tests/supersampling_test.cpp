@@ -22,9 +22,8 @@ class Supersampling : public testing::Test {
     Frame render(const Scene& scene, const TechniqueChoice& choice, const FrameOptions& options,
                  const TracedAccessibility& traced = {}) {
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, {}, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene, {}), choice, kWidth, kHeight, options),
-                                traced);
+        return renderer_.render({gpu, {}, tests::forward_camera(), options, traced}, choice, kWidth,
+                                kHeight);
     }
 
     HeadlessContext context_;

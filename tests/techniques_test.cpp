@@ -23,8 +23,7 @@ class Techniques : public testing::TestWithParam<std::string> {
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, lighting, camera, choice,
-                                plan_frame(needs_of(scene, lighting), choice, width, height));
+        return renderer_.render({gpu, lighting, camera}, choice, width, height);
     }
 
     /// The accessibility in the middle of the image, where no sample leaves it.

@@ -63,9 +63,8 @@ class TakenOver : public testing::Test {
   protected:
     Frame render(const renderer::TechniqueChoice& choice, const renderer::FrameOptions& options,
                  const renderer::ViewBuffers& known = {}, int width = 32) {
-        return renderer_.render(gpu_, lighting_, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene_, lighting_), choice, width, 32, options),
-                                {}, known);
+        return renderer_.render({gpu_, lighting_, tests::forward_camera(), options}, choice, width,
+                                32, known);
     }
     static bool has(const Frame& frame, Pass pass) {
         return std::any_of(frame.taken_over().begin(), frame.taken_over().end(),
@@ -102,8 +101,7 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
             const renderer::TechniqueChoice choice = tests::choice_of(name);
             const auto render = [&](const renderer::ViewBuffers& from) {
                 return renderer_.render(
-                    gpu, lighting, tests::forward_camera(), choice,
-                    plan_frame(needs_of(scene, lighting), choice, 48, 32, options), half_open,
+                    {gpu, lighting, tests::forward_camera(), options, half_open}, choice, 48, 32,
                     from);
             };
             const Frame alone = render({});

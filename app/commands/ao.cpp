@@ -153,21 +153,15 @@ std::vector<float> rendered(const Wanted& wanted, const Globals& globals) {
     const renderer::HeadlessContext context;
     const renderer::GpuScene gpu(wanted.scene);
     const renderer::Lighting lighting = wanted.source.lighting(wanted.validity);
-    const renderer::FramePlan plan = renderer::plan_frame(
-        renderer::needs_of(wanted.scene, lighting), wanted.choice, wanted.width, wanted.height);
     const auto trace = [&](const renderer::Camera& camera, int width, int height,
                            const TechniqueChoice& choice) {
         return traced(wanted.scene, camera, width, height, choice, globals).accessibility;
     };
     renderer::Renderer renderer;
-    const renderer::Frame frame =
-        renderer.render(gpu, lighting, wanted.camera, wanted.choice, plan, trace);
-    if (!plan.has(renderer::Pass::kAccessibility)) {
-        const auto pixels =
-            static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height);
-        return std::vector<float>(pixels, 1.0F);
-    }
-    return frame.read_floats(plan.final_accessibility());
+    return renderer
+        .render({gpu, lighting, wanted.camera, {}, trace}, wanted.choice, wanted.width,
+                wanted.height)
+        .read_accessibility();
 }
 
 std::array<float, 16> flat(const glm::mat4& matrix) {

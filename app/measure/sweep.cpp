@@ -18,6 +18,8 @@ using renderer::Frame;
 using renderer::Target;
 using renderer::TechniqueChoice;
 
+constexpr float kSameSurface = 0.98F;  // of the depth of what the rays see
+
 /// Conditions of the study that show just this setting.
 std::string shown_where(const View& view, const Setting& setting) {
     std::string where;
@@ -80,7 +82,7 @@ double rms(const std::vector<float>& values, const std::vector<std::uint8_t>& co
 analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
                            const renderer::ReferenceImage& truth,
                            const std::vector<std::uint8_t>& true_image) {
-    const std::vector<float> measured = final_accessibility(frame);
+    const std::vector<float> measured = frame.read_accessibility();
     const std::vector<std::uint8_t> surfaces = surface_mask(frame, truth);
     row.error = analysis::accessibility_error(measured, truth.accessibility, surfaces);
     std::vector<std::uint8_t> interior =
@@ -127,22 +129,21 @@ std::string key_of(const renderer::FramePlan& plan) {
 
 }  // namespace
 
-std::vector<float> final_accessibility(const Frame& frame) {
-    if (!frame.plan().has(renderer::Pass::kAccessibility)) {
-        return std::vector<float>(static_cast<std::size_t>(frame.plan().width) *
-                                      static_cast<std::size_t>(frame.plan().height),
-                                  1.0F);
-    }
-    return frame.read_floats(frame.plan().final_accessibility());
-}
-
 std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::ReferenceImage& truth) {
     std::vector<std::uint8_t> mask;
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
-    if (frame.plan().find(Target::kDepth) == nullptr) return mask;
-    const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
-    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= depth_m[i] < kBackgroundLimit_m;
+    const renderer::FramePlan& plan = frame.plan();
+    const Target seen = plan.seen_by_technique(Target::kDepth);
+    const renderer::PlannedTarget* planned = plan.find(seen);
+    if (planned == nullptr || planned->width != plan.image_width) return mask;
+    const std::vector<float> depth_m = frame.read_floats(seen);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        mask[i] &= depth_m[i] < kBackgroundLimit_m;
+        // Rays pass through a blended surface that the technique takes for an occluder: the two
+        // values are of different surfaces.
+        if (plan.blended_occlude()) mask[i] &= depth_m[i] > kSameSurface * truth.depth_m[i];
+    }
     return mask;
 }
 

@@ -65,10 +65,10 @@ double radius_on(const stimuli::Study& study, const std::string& source) {
 using Source = std::shared_ptr<const stimuli::SceneSource>;
 
 View make_view(Source scene, const std::string& camera, stimuli::Validity validity,
-               const stimuli::Study& study) {
+               const stimuli::Study& study, const renderer::FrameOptions& options) {
     const double radius_m = radius_on(study, scene->source);
     std::vector<ShownSetting> shown = shown_on(study, scene->source, camera, &validity);
-    return {std::move(scene), camera, validity, radius_m, std::move(shown)};
+    return {std::move(scene), camera, validity, radius_m, options, std::move(shown)};
 }
 
 /// A built-in scene as it is, built when it is first looked at; nothing for another source.
@@ -173,13 +173,14 @@ std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& 
             if (!sources.contains(key)) {
                 sources.emplace(key, scene_of_study(catalogue, study, scene));
             }
-            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study));
+            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study,
+                                      study.frame_options()));
         }
     }
     for (const std::string& id : request.scenes) {
         const Source scene = named_scene(catalogue, id);
         for (const std::string& camera : scene->cameras) {
-            views.push_back(make_view(scene, camera, scene->levels.front(), study));
+            views.push_back(make_view(scene, camera, scene->levels.front(), study, {}));
         }
     }
     return views;

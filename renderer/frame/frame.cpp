@@ -142,6 +142,13 @@ std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
     return bytes;
 }
 
+std::vector<float> Frame::read_accessibility() const {
+    if (plan_.has(Pass::kAccessibility)) return read_floats(plan_.final_accessibility());
+    return std::vector<float>(
+        static_cast<std::size_t>(plan_.image_width) * static_cast<std::size_t>(plan_.image_height),
+        1.0F);
+}
+
 std::vector<float> Frame::read_floats(Target target) const { return read_components(target, 1); }
 
 std::vector<float> Frame::read_components(Target target, int channels) const {

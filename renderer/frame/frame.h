@@ -46,6 +46,9 @@ class Frame {
     [[nodiscard]] std::vector<std::uint8_t> read_display() const;
     /// A one-channel float target (depth, accessibility, denoised), upper row first.
     [[nodiscard]] std::vector<float> read_floats(Target target) const;
+    /// What the composite uses: the accessibility after its filter, 1 everywhere where there is
+    /// none; one value a pixel, upper row first.
+    [[nodiscard]] std::vector<float> read_accessibility() const;
     /// The first `channels` (1 to 4) components of any colour target as the shaders stored them,
     /// pixel by pixel, upper row first: code values in [0, 1] for an 8-bit target.
     [[nodiscard]] std::vector<float> read_components(Target target, int channels) const;

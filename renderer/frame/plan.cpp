@@ -273,12 +273,17 @@ Target FramePlan::image() const {
 }
 
 SceneNeeds needs_of(const Scene& scene, const Lighting& lighting) {
+    return needs_of(scene.materials, bounds_of(scene), lighting);
+}
+
+SceneNeeds needs_of(const std::vector<Material>& materials, const Bounds& bounds,
+                    const Lighting& lighting) {
     SceneNeeds needs;
     needs.environment = lighting.environment != nullptr;
     needs.lights = static_cast<int>(lighting.lights.size());
     needs.point_lights = static_cast<int>(lighting.point_lights.size());
     needs.tone_mapping = lighting.tone_mapping.has_value();
-    for (const Material& material : scene.materials) {
+    for (const Material& material : materials) {
         if (material.normal_texture != kNoTexture) needs.normal_mapping = lighting.normal_mapping;
         if (material.albedo_texture != kNoTexture) needs.textures = true;
         if (material.specular_intensity > 0.0F && needs.direct_light()) needs.specular = true;
@@ -290,7 +295,7 @@ SceneNeeds needs_of(const Scene& scene, const Lighting& lighting) {
         if (material.emissive != glm::vec3(0.0F)) needs.emission = true;
         if (material.occlusion_texture != kNoTexture) needs.emission = true;
     }
-    if (needs.lights > 0) needs.shadow_size = shadow_map_size(bounds_of(scene));
+    if (needs.lights > 0) needs.shadow_size = shadow_map_size(bounds);
     if (needs.point_lights > 0) needs.point_shadow_size = kPointShadowSize;
     return needs;
 }

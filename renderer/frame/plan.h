@@ -59,6 +59,8 @@ struct SceneNeeds {
     bool operator==(const SceneNeeds&) const = default;
 };
 [[nodiscard]] SceneNeeds needs_of(const Scene& scene, const Lighting& lighting);
+[[nodiscard]] SceneNeeds needs_of(const std::vector<Material>& materials, const Bounds& bounds,
+                                  const Lighting& lighting);
 
 /// What is asked of an image beside its technique.
 struct FrameOptions {

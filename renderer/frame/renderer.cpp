@@ -45,6 +45,18 @@ Renderer::Renderer()
 
 Renderer::~Renderer() = default;
 
+Renderer::Job Renderer::job_of(Frame& frame, const View& view, const TechniqueChoice& choice) {
+    const FramePlan& plan = frame.plan();
+    return {view.scene,
+            view.lighting,
+            choice,
+            plan,
+            matrices_of(view.camera, plan.width, plan.height),
+            frame,
+            view.camera,
+            view.traced};
+}
+
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
                                const Defines& defines) {
     std::string key = vertex + '|' + fragment;
@@ -166,29 +178,24 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Pass)>& w
     return times;
 }
 
-Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
-                       const TechniqueChoice& choice, const FramePlan& plan,
-                       const TracedAccessibility& traced, const ViewBuffers& known) {
-    Frame frame(plan, known);
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
-            frame, camera,   traced};
+Frame Renderer::render(const View& view, const TechniqueChoice& choice, int width, int height,
+                       const ViewBuffers& known) {
+    Frame frame(plan_of(view, choice, width, height), known);
+    Job job = job_of(frame, view, choice);
     std::map<Pass, PassTime> times;
     for (const PassTime& time : frame.taken_over()) times[time.pass] = time;
     for (const PassTime& time : run(job, [&](Pass pass) { return !times.contains(pass); })) {
         times[time.pass] = time;
     }
-    for (const PlannedPass& planned : plan.passes) frame.times.push_back(times.at(planned.pass));
+    for (const PlannedPass& planned : frame.plan().passes) {
+        frame.times.push_back(times.at(planned.pass));
+    }
     return frame;
 }
 
-std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const GpuScene& scene,
-                                                           const Lighting& lighting,
-                                                           const Camera& camera,
+std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const View& view,
                                                            const TechniqueChoice& choice) {
-    const FramePlan& plan = frame.plan();
-    const TracedAccessibility none;
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
-            frame, camera,   none};
+    Job job = job_of(frame, view, choice);
     return run(job,
                [](Pass pass) { return pass == Pass::kAccessibility || pass == Pass::kDenoise; });
 }

@@ -11,16 +11,12 @@
 
 #include "renderer/frame/camera.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/gpu_scene.h"
+#include "renderer/frame/view.h"
 #include "renderer/gl/program.h"
 
 namespace obscura::renderer {
 
-/// Gives the accessibility of every pixel, upper row first, for a technique that is ray traced.
-using TracedAccessibility = std::function<std::vector<float>(
-    const Camera& camera, int width, int height, const TechniqueChoice& choice)>;
-
-/// Turns a planned frame into images. Needs a current OpenGL 4.5 context for as long as it lives;
+/// Renders the images of views. Needs a current OpenGL 4.5 context for as long as it lives;
 /// shaders are compiled once, when a plan first needs them.
 class Renderer {
   public:
@@ -29,23 +25,21 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
-    /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`. A
-    /// technique that is ray traced asks `traced`; throws failure when there is none. Passes that
-    /// `known`, of the same scene, lighting and camera, holds the results of are not run again.
-    [[nodiscard]] Frame render(const GpuScene& scene, const Lighting& lighting,
-                               const Camera& camera, const TechniqueChoice& choice,
-                               const FramePlan& plan, const TracedAccessibility& traced = {},
-                               const ViewBuffers& known = {});
+    /// Plans an image of the view and runs the plan's passes in order; each is timed by glFinish
+    /// and a monotonic clock, which is right on every driver. Passes that `known`, of the same
+    /// scene, lighting and camera, holds the results of are not run again. Throws as plan_frame
+    /// does, and failure where the technique is ray traced and the view cannot trace.
+    [[nodiscard]] Frame render(const View& view, const TechniqueChoice& choice, int width,
+                               int height, const ViewBuffers& known = {});
 
     /// Runs accessibility and its filter once more on the buffers of a frame that was rendered of
-    /// the same scene, light and camera, for a choice with the same plan, and gives their times.
-    std::vector<PassTime> render_accessibility_again(Frame& frame, const GpuScene& scene,
-                                                     const Lighting& lighting, const Camera& camera,
+    /// the same view, for a choice with the same plan, and gives their times.
+    std::vector<PassTime> render_accessibility_again(Frame& frame, const View& view,
                                                      const TechniqueChoice& choice);
 
   private:
     struct Job;
+    static Job job_of(Frame& frame, const View& view, const TechniqueChoice& choice);
     /// Runs and times each of the plan's passes that `wanted` holds.
     std::vector<PassTime> run(Job& job, const std::function<bool(Pass)>& wanted);
     using Defines = std::vector<std::string>;
