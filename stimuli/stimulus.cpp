@@ -15,19 +15,12 @@
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
 #include "stimuli/buffers.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::map<std::string, double> parameters_of(const renderer::TechniqueChoice& choice) {
-    std::map<std::string, double> values;
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        values[parameter.name] = choice.value_of(parameter);
-    }
-    return values;
-}
 
 /// Program, driver and, where they are read from a folder, shaders.
 std::string hash_of_environment() {
@@ -102,7 +95,7 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
 
 renderer::TracedAccessibility StimulusRenderer::tracer() {
     return [this](const renderer::Camera& camera, int width, int height,
-                  const renderer::TechniqueChoice& choice) {
+                  const renderer::Variant& choice) {
         if (!loaded_.reference) {
             loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
         }
@@ -168,7 +161,6 @@ renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) 
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
                                          const renderer::Frame& frame) const {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     ManifestImage image;
     image.file = stimulus.file();
     image.condition = stimulus.condition->id;
@@ -182,10 +174,7 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
         image.scene_files.push_back({file.path.filename().string(), file.sha256});
     }
     image.scene_notes = scene.notes;
-    image.technique = choice.technique;
-    image.samples = choice.samples;
-    image.parameters = parameters_of(choice);
-    image.denoise = choice.denoise;
+    image.variant = stimulus.choice();
     image.width = study_.width;
     image.height = study_.height;
     image.supersampling = study_.supersampling;
@@ -201,23 +190,19 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
 
 std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     Json files = Json::array();
     for (const renderer::ImportedFile& file : files_of(scene)) files.push_back(file.sha256);
-    const Json inputs = {{"environment", environment_sha256_},
-                         {"source", scene.source},
-                         {"camera", scene.camera},
-                         {"validity", to_string(scene.validity)},
-                         {"settings", to_json(scene.settings)},
-                         {"files", files},
-                         {"technique", choice.technique},
-                         {"samples", choice.samples},
-                         {"parameters", parameters_of(choice)},
-                         {"denoise", choice.denoise},
-                         {"width", study_.width},
-                         {"height", study_.height},
-                         {"supersampling", study_.supersampling},
-                         {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
+    Json inputs = {{"environment", environment_sha256_},
+                   {"source", scene.source},
+                   {"camera", scene.camera},
+                   {"validity", to_string(scene.validity)},
+                   {"settings", to_json(scene.settings)},
+                   {"files", files},
+                   {"width", study_.width},
+                   {"height", study_.height},
+                   {"supersampling", study_.supersampling},
+                   {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
+    put_variant(inputs, stimulus.choice());
     return base::sha256_hex(inputs.dump());
 }
 

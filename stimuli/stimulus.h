@@ -23,7 +23,7 @@ struct Stimulus {
     const Condition* condition = nullptr;
     char side = 'a';  ///< a or b
 
-    [[nodiscard]] const renderer::TechniqueChoice& choice() const {
+    [[nodiscard]] const renderer::Variant& choice() const {
         return side == 'a' ? condition->a : condition->b;
     }
     [[nodiscard]] std::string file() const;  ///< CONDITION-a.png

@@ -43,8 +43,8 @@ struct Condition {
     std::string id;
     std::string scene;       ///< id of a StudyScene
     std::string hypothesis;  ///< H1, H2, ...; may be empty
-    renderer::TechniqueChoice a;
-    renderer::TechniqueChoice b;
+    renderer::Variant a;
+    renderer::Variant b;
     char expected =
         '\0';  ///< 'A' or 'B': the side an attentive observer picks, of an attention check
     /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.

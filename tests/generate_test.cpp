@@ -203,7 +203,7 @@ TEST_F(Generate, FilesOfTheUsersOwnStay) {
 TEST_F(Generate, AnEntryThatSaysSomethingElseIsFoundAndMadeAnew) {
     make();
     Manifest manifest = load_manifest(folder_ / "manifest.json");
-    manifest.images[1].samples = 99;
+    manifest.images[1].variant.samples = 99;
     save_manifest(folder_ / "manifest.json", manifest);
     EXPECT_EQ(check().size(), 1U);
     EXPECT_EQ(make().made, 1);

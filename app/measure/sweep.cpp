@@ -9,7 +9,6 @@
 
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -25,13 +24,13 @@ std::string shown_where(const View& view, const Setting& setting) {
     std::string where;
     for (const ShownSetting& shown : view.shown) {
         // A fitted setting keeps the place of the one that it was made of.
-        const bool same = setting.fitted ? shown.choice.technique == setting.choice.technique &&
-                                               shown.choice.samples == setting.choice.samples &&
-                                               shown.choice.denoise == setting.choice.denoise
-                                         : stimuli::same_variant(shown.choice, setting.choice);
-        if (same && setting.choice.depth_format == "r32f") {
-            where += (where.empty() ? "" : ", ") + shown.where;
-        }
+        const bool same = setting.fitted
+                              ? shown.choice.technique == setting.choice.technique &&
+                                    shown.choice.samples == setting.choice.samples &&
+                                    shown.choice.denoise == setting.choice.denoise &&
+                                    shown.choice.depth_format == setting.choice.depth_format
+                              : shown.choice == setting.choice;
+        if (same) where += (where.empty() ? "" : ", ") + shown.where;
     }
     return where;
 }
@@ -53,9 +52,7 @@ analysis::MeasurementRow describe(const View& view, const Setting& setting, int 
     row.device = renderer::gpu_renderer();
     row.fitted = setting.fitted;
     row.published = shown_where(view, setting);
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        row.parameters[parameter.name] = choice.value_of(parameter);
-    }
+    row.parameters = choice.all_parameters();
     row.reference_radius_m = setting.truth_radius_m;
     row.fetches_per_px = renderer::fetches_per_pixel(choice);
     return row;

@@ -13,7 +13,6 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
 #include "stimuli/scenes/open_scene.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -149,12 +148,6 @@ std::vector<std::string> filters_of(const MeasureRequest& request) {
     return filters;
 }
 
-bool is_among(const std::vector<TechniqueChoice>& list, const TechniqueChoice& choice) {
-    return std::any_of(list.begin(), list.end(), [&](const TechniqueChoice& held) {
-        return stimuli::same_variant(held, choice) && held.depth_format == choice.depth_format;
-    });
-}
-
 }  // namespace
 
 std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
@@ -224,7 +217,9 @@ std::vector<TechniqueChoice> settings_of(const MeasureRequest& request, const Vi
                                          const stimuli::Study& study) {
     std::vector<TechniqueChoice> settings;
     const auto add = [&settings](const TechniqueChoice& choice) {
-        if (!is_among(settings, choice)) settings.push_back(choice);
+        if (std::find(settings.begin(), settings.end(), choice) == settings.end()) {
+            settings.push_back(choice);
+        }
     };
     const std::vector<int> samples = !request.samples.empty() ? request.samples
                                      : request.quick          ? kQuickSamples

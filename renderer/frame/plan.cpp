@@ -310,7 +310,7 @@ FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice, int
         base::check_above("blended surfaces", "occluding opacity", *options.occluding_opacity, 0.0F,
                           1.0F);
     }
-    for (const ChoiceProblem& problem : problems_of(choice)) {
+    for (const VariantProblem& problem : problems_of(choice)) {
         throw base::bad_input("{}: {}", problem.key, problem.message);
     }
     Planner planner(needs, choice, options, width, height);

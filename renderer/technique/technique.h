@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "renderer/technique/variant.h"
 
 namespace obscura::renderer {
 
@@ -53,33 +54,5 @@ struct Technique {
 
 /// The technique of that name, or nullptr.
 [[nodiscard]] const Technique* find_technique(std::string_view name);
-
-/// A technique with its settings; parameters not named take their standard value.
-struct TechniqueChoice {
-    std::string technique = "none";
-    int samples = 0;
-    std::map<std::string, double> parameters;
-    std::string denoise = "none";
-    std::string depth_format = "r32f";  ///< of the depth buffer: r32f or r16f
-    bool unclamped = false;  ///< for checks: what is not a number is not clamped away at the end
-
-    /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
-    [[nodiscard]] std::string variant_name() const;
-    /// The set value or the descriptor's standard. The parameter must exist.
-    [[nodiscard]] double value_of(const Parameter& parameter) const;
-};
-
-/// The most texture reads that one pixel may make for accessibility and filter: for each sample its
-/// depths and its point of the kernel, once the pixel's own depth, normal and rotation, and what
-/// the filter reads.
-[[nodiscard]] int fetches_per_pixel(const TechniqueChoice& choice);
-
-/// Everything wrong with a choice, one sentence each naming the key, the value and what is allowed;
-/// empty when it can be rendered.
-struct ChoiceProblem {
-    std::string key;      ///< technique, samples, denoise, depth_format or a parameter's name
-    std::string message;  ///< value met and what is allowed
-};
-[[nodiscard]] std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice);
 
 }  // namespace obscura::renderer
