@@ -8,7 +8,6 @@
 
 #include "renderer/base/check.h"
 #include "renderer/denoise/denoise.h"
-#include "renderer/light/shadow.h"
 
 namespace obscura::renderer {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "renderer/frame/target.h"
 #include "renderer/light/lighting.h"
+#include "renderer/light/shadow.h"
 #include "renderer/scene/scene.h"
 #include "renderer/technique/technique.h"
 

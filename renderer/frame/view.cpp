@@ -4,7 +4,7 @@
 
 namespace obscura::renderer {
 
-FramePlan plan_of(const View& view, const TechniqueChoice& choice, int width, int height) {
+FramePlan plan_of(const View& view, const Variant& choice, int width, int height) {
     const SceneNeeds needs =
         view.needs.value_or(needs_of(view.scene.materials(), view.scene.bounds(), view.lighting));
     return plan_frame(needs, choice, width, height, view.options);

@@ -14,8 +14,8 @@
 namespace obscura::renderer {
 
 /// Gives the accessibility of every pixel, upper row first, for a technique that is ray traced.
-using TracedAccessibility = std::function<std::vector<float>(
-    const Camera& camera, int width, int height, const TechniqueChoice& choice)>;
+using TracedAccessibility = std::function<std::vector<float>(const Camera& camera, int width,
+                                                             int height, const Variant& choice)>;
 
 /// All of an image but its variant and its size. What it refers to must outlive it.
 struct View {
@@ -29,7 +29,6 @@ struct View {
 };
 
 /// The plan of an image of the view. Throws as plan_frame does.
-[[nodiscard]] FramePlan plan_of(const View& view, const TechniqueChoice& choice, int width,
-                                int height);
+[[nodiscard]] FramePlan plan_of(const View& view, const Variant& choice, int width, int height);
 
 }  // namespace obscura::renderer
