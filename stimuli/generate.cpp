@@ -188,15 +188,13 @@ std::string explanation_of(const Study& study, const Stimulus& stimulus,
         fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
                     stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
                     scene.camera, plan.image_width, plan.image_height);
-    for (const renderer::PassTime& time : frame.times) {
-        text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
-                            time.milliseconds);
+    for (const renderer::PassTime& time : renderer::by_name(frame.times)) {
+        text += fmt::format("  pass    {:14} {:9.2f} ms\n", time.name, time.milliseconds);
     }
     text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", milliseconds_of(frame));
     for (const renderer::PlannedTarget& target : plan.targets) {
-        text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n",
-                            renderer::to_string(target.target), target.bytes, target.format,
-                            target.width, target.height,
+        text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n", target.name, target.bytes,
+                            target.format, target.width, target.height,
                             target.layers > 1 ? fmt::format("x{}", target.layers) : "");
     }
     text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", plan.bytes());

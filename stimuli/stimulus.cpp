@@ -180,8 +180,8 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.supersampling = study_.supersampling;
     image.occluding_opacity = study_.occluding_opacity;
     image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
-    for (const renderer::PassTime& time : frame.times) {
-        image.passes.push_back(renderer::to_string(time.pass));
+    for (const renderer::PassTime& time : renderer::by_name(frame.times)) {
+        image.passes.push_back(time.name);
         image.milliseconds += time.milliseconds;
     }
     image.inputs_sha256 = inputs_sha256(stimulus);

@@ -103,7 +103,7 @@ TEST_F(DenoiseTest, SeparableNeverLeaksAcrossADepthEdge) {
 
 TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {
     for (const Denoise& denoise : denoise_filters()) {
-        if (denoise.passes == 0) continue;
+        if (denoise.recipe.steps.empty()) continue;
         const Frame frame = render(tests::facing_wall(5.0F), "blizzard", denoise.name);
         for (const float value : frame.read_floats(Target::kDenoised)) {
             ASSERT_EQ(value, 1.0F) << denoise.name;

@@ -87,7 +87,7 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
     row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
     row.nonfinite = nonfinite_of(measured);
-    if (frame.plan().has(renderer::Pass::kDenoise)) {
+    if (frame.plan().has(renderer::Phase::kDenoise)) {
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
     }
     row.truth_stderr = rms(truth.standard_error, surfaces);
@@ -117,9 +117,9 @@ using PlanFrames = std::map<std::string, PlanFrame>;
 /// Equal for plans with the same passes and buffers.
 std::string key_of(const renderer::FramePlan& plan) {
     std::string key;
-    for (const renderer::PlannedPass& pass : plan.passes) key += to_string(pass.pass) + ' ';
+    for (const renderer::PlannedPass& pass : plan.passes) key += pass.name + ' ';
     for (const renderer::PlannedTarget& target : plan.targets) {
-        key += to_string(target.target) + ' ' + target.format + ' ';
+        key += fmt::format("{} {} {}x{} ", target.name, target.format, target.width, target.height);
     }
     return key;
 }
@@ -131,7 +131,7 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
     const renderer::FramePlan& plan = frame.plan();
-    const Target seen = plan.seen_by_technique(Target::kDepth);
+    const std::string seen = plan.seen_by_technique(Target::kDepth);
     const renderer::PlannedTarget* planned = plan.find(seen);
     if (planned == nullptr || planned->width != plan.image_width) return mask;
     const std::vector<float> depth_m = frame.read_floats(seen);

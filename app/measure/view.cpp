@@ -242,7 +242,8 @@ std::vector<TechniqueChoice> settings_of(const MeasureRequest& request, const Vi
             }
         }
         // Half-float depth, on what the study shows or would show.
-        if (!request.quick && request.samples.empty() && technique.reads_depth) {
+        if (!request.quick && request.samples.empty() &&
+            technique.standard_recipe().reads(renderer::Target::kDepth)) {
             choice = published_choice(view, study, name);
             choice.depth_format = "r16f";
             add(choice);

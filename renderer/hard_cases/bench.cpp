@@ -116,8 +116,8 @@ Shot Bench::shoot(const Scene& scene, const Camera& camera, const TechniqueChoic
               frame.read_floats(frame.plan().final_accessibility()),
               0.0};
     for (const PassTime& time : frame.times) {
-        if (time.pass != Pass::kAccessibility) continue;
-        shot.accessibility_ms =
+        if (time.phase != Phase::kTechnique) continue;
+        shot.accessibility_ms +=
             is_software_renderer() ? time.milliseconds : time.query_milliseconds;
     }
     return shot;

@@ -11,6 +11,10 @@ const Parameter* Technique::find_parameter(std::string_view parameter_name) cons
     return nullptr;
 }
 
+Recipe Technique::standard_recipe() const {
+    return recipe != nullptr ? recipe(standard_variant(*this)) : Recipe{};
+}
+
 const Technique* find_technique(std::string_view name) {
     for (const Technique& technique : techniques()) {
         if (technique.name == name) return &technique;

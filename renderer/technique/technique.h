@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/recipe/recipe.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::renderer {
@@ -31,21 +32,27 @@ struct SampleRange {
     int multiple_of = 1;
 };
 
-/// One way to compute ambient occlusion: what it reads and what can be set.
+/// What a technique makes.
+enum class Output {
+    kNothing,        ///< accessibility is 1 everywhere
+    kAccessibility,  ///< the last step of its recipe writes `accessibility`
+    kColour,         ///< the last step writes `colour`, before the tone curve
+};
+
+/// One way to compute ambient occlusion: what it computes in a frame and what can be set.
 struct Technique {
     std::string name;      ///< in files and on the command line
     std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
     std::string citation;  ///< the definition's source
-    std::string shader;    ///< file in renderer/technique/; empty: none
-    bool ray_traced = false;  ///< accessibility comes from the ray tracer instead of a shader
-    bool reads_depth = false;
-    bool reads_normal = false;
+    Output output = Output::kAccessibility;
+    bool ray_traced = false;  ///< accessibility comes from the ray tracer: no recipe
     SampleRange samples;
-    int fetches_per_sample = 0;  ///< depth-buffer reads each sample may make
     std::vector<Parameter> parameters;
+    Recipe (*recipe)(const Variant& variant) = nullptr;  ///< the variant has no problems
 
-    /// Whether it computes an accessibility; without one it is 1, and there is no pass for it.
-    [[nodiscard]] bool makes_accessibility() const { return ray_traced || !shader.empty(); }
+    [[nodiscard]] bool makes_accessibility() const { return output == Output::kAccessibility; }
+    /// The recipe of its standard settings; empty where there is none.
+    [[nodiscard]] Recipe standard_recipe() const;
     [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
 };
 

@@ -154,10 +154,9 @@ std::string standard_denoise(const Technique& technique) {
 int fetches_per_pixel(const Variant& variant) {
     const Technique* technique = find_technique(variant.technique);
     const Denoise* denoise = find_denoise(variant.denoise);
-    if (technique == nullptr || technique->shader.empty()) return 0;
-    const int each = technique->fetches_per_sample + (technique->reads_normal ? 1 : 0);
-    const int once = 2 + (technique->reads_normal ? 1 : 0);
-    return variant.samples * each + once + (denoise != nullptr ? denoise->fetches : 0);
+    if (technique == nullptr || technique->recipe == nullptr) return 0;
+    const int filter = denoise != nullptr ? fetches_per_pixel(denoise->recipe) : 0;
+    return fetches_per_pixel(technique->recipe(variant)) + filter;
 }
 
 std::vector<VariantProblem> problems_of(const Variant& variant) {

@@ -61,9 +61,7 @@ struct VariantOption {
 /// buffer has none to smooth.
 [[nodiscard]] std::string standard_denoise(const Technique& technique);
 
-/// The most texture reads that one pixel may make for accessibility and filter: for each sample its
-/// depths and its point of the kernel, once the pixel's own depth, normal and rotation, and what
-/// the filter reads.
+/// The most texture reads a pixel that the recipes of technique and filter may make; 0 for rays.
 [[nodiscard]] int fetches_per_pixel(const Variant& variant);
 
 /// Everything wrong with a variant, one sentence each naming the key, the value and what is

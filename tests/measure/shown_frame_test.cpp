@@ -74,8 +74,8 @@ TEST_F(ShownFrame, IsTheMeasuredFrameToTheByte) {
         EXPECT_TRUE(shown.read_display() == measured.read_display()) << stimulus.file();
         ASSERT_EQ(shown.plan().targets.size(), measured.plan().targets.size());
         for (const renderer::PlannedTarget& planned : shown.plan().targets) {
-            EXPECT_TRUE(shown.read_bytes(planned.target) == measured.read_bytes(planned.target))
-                << stimulus.file() << ": " << to_string(planned.target);
+            EXPECT_TRUE(shown.read_bytes(planned) == measured.read_bytes(planned))
+                << stimulus.file() << ": " << planned.name;
         }
     }
 }
