@@ -182,8 +182,8 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
     image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
     for (const renderer::PassTime& time : renderer::by_name(frame.times)) {
         image.passes.push_back(time.name);
-        image.milliseconds += time.milliseconds;
     }
+    image.milliseconds = frame.milliseconds();
     image.inputs_sha256 = inputs_sha256(stimulus);
     return image;
 }

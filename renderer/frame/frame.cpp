@@ -96,6 +96,12 @@ Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) 
     }
 }
 
+double Frame::milliseconds() const {
+    double sum_ms = 0.0;
+    for (const PassTime& time : times) sum_ms += time.milliseconds;
+    return sum_ms;
+}
+
 ViewBuffers Frame::view_buffers() const {
     ViewBuffers buffers;
     buffers.plan = plan_;

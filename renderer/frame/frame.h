@@ -45,6 +45,8 @@ class Frame {
     [[nodiscard]] GLuint texture(std::string_view buffer) const;
     /// The passes whose results were taken over, with the time that they took then.
     [[nodiscard]] const std::vector<PassTime>& taken_over() const { return taken_over_; }
+    /// Of all passes.
+    [[nodiscard]] double milliseconds() const;
     /// What another image of the view may take over.
     [[nodiscard]] ViewBuffers view_buffers() const;
 

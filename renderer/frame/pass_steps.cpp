@@ -80,14 +80,18 @@ void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass,
     for (const Table& table : pass.tables) bind_read(table.name, texture_of(table).name());
 }
 
+gl::Program& Renderer::step_program(const Step& step) {
+    return program("passes/full_screen.vert.glsl", step.shader, step.defines);
+}
+
 void Renderer::run_step(Job& job, const PlannedPass& pass) {
     const Step& step = *pass.step;
     const PlannedTarget& target = *job.plan.find(pass.writes.front());
-    gl::Program& shader = program("passes/full_screen.vert.glsl", step.shader, step.defines);
+    gl::Program& shader = step_program(step);
     const bool reads_itself =
         std::any_of(pass.reads.begin(), pass.reads.end(),
                     [&target](const Read& read) { return read.name == target.name; });
-    for (int level = step.first_level; level < target.levels; ++level) {
+    for (int level = step.first_level; level < step.end_level(target.levels); ++level) {
         std::optional<LevelAbove> above;
         if (reads_itself) above.emplace(job.frame.texture(target.name), level, target.levels);
         for (int layer = 0; layer < target.layers; ++layer) {

@@ -191,11 +191,28 @@ Frame Renderer::draw(const View& view, const FramePlan& plan, const ViewBuffers&
     };
     const auto is_taken = [&](Phase phase) { return taken(phase) != frame.taken_over().end(); };
     const std::vector<PassTime> spent = run(job, [&](Phase phase) { return !is_taken(phase); });
+    note_unread_parameters(plan);
     auto next = spent.begin();
     for (const PlannedPass& planned : plan.passes) {
         frame.times.push_back(is_taken(planned.phase) ? *taken(planned.phase) : *next++);
     }
     return frame;
+}
+
+void Renderer::note_unread_parameters(const FramePlan& plan) {
+    std::set<std::string> unread;
+    bool has_steps = false;
+    for (const auto& [name, value] : plan.parameters) unread.insert("p_" + name);
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.phase != Phase::kTechnique || !pass.step) continue;
+        has_steps = true;
+        const gl::Program& shader = step_program(*pass.step);
+        std::erase_if(unread, [&shader](const std::string& name) { return shader.has(name); });
+    }
+    if (!has_steps) return;
+    for (const std::string& name : unread) {
+        mismatches_.insert("no step of " + plan.variant.technique + " reads " + name);
+    }
 }
 
 std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const View& view,

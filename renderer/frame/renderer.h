@@ -44,8 +44,9 @@ class Renderer {
     std::vector<PassTime> render_accessibility_again(Frame& frame, const View& view,
                                                      const Variant& variant);
 
-    /// What steps name and their shaders do not use, and what shaders of full-screen passes read
-    /// and nobody sets, of all that was drawn so far; a driver may have removed what has no effect.
+    /// What steps name and their shaders do not use, parameters that no step of a technique reads,
+    /// and what shaders of full-screen passes read and nobody sets, of all that was drawn so far; a
+    /// driver may have removed what has no effect.
     [[nodiscard]] const std::set<std::string>& mismatches() const { return mismatches_; }
 
   private:
@@ -70,7 +71,9 @@ class Renderer {
     void run_shadow(Job& job);
     void run_occluders(Job& job);
     void run_traced(Job& job);
+    gl::Program& step_program(const Step& step);
     void run_step(Job& job, const PlannedPass& pass);
+    void note_unread_parameters(const FramePlan& plan);
     /// Attaches one level and layer of what the step writes.
     void attach_step(Job& job, const PlannedPass& pass, int level, int layer);
     /// Everything that a step's shader may use.

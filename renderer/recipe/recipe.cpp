@@ -31,7 +31,7 @@ int fetches_per_pixel(const Recipe& recipe) {
     for (const Step& step : recipe.steps) {
         const Buffer* own = recipe.find_buffer(step.writes);
         const Buffer written = own != nullptr ? *own : Buffer{};
-        for (int level = step.first_level; level < written.levels; ++level) {
+        for (int level = step.first_level; level < step.end_level(written.levels); ++level) {
             const double scale = static_cast<double>(written.scale) * std::pow(0.5, level);
             sum += step.fetches * scale * scale * written.layers;
         }

@@ -54,6 +54,12 @@ struct Step {
     int fetches = 0;                   ///< the most texture reads of one texel that it draws
     Cover cover = Cover::kSurfaces;
     int first_level = 0;  ///< of the levels that it draws
+    int levels = 0;       ///< how many of them; 0: to the last
+
+    /// The level behind the last that is drawn of a buffer with so many.
+    [[nodiscard]] int end_level(int of_levels) const {
+        return levels > 0 && first_level + levels < of_levels ? first_level + levels : of_levels;
+    }
 };
 
 /// What a technique or a denoise filter computes in a frame.
