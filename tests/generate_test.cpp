@@ -129,8 +129,9 @@ TEST_F(Generate, MakesAgainWhatAChangedStudyAsksFor) {
     study_.conditions[0].b.parameters["radius_m"] = 0.9;
     const Generated again = make();
     EXPECT_EQ(again.made, 1);
-    EXPECT_EQ(load_manifest(folder_ / "manifest.json").find("I", "b")->parameters.at("radius_m"),
-              0.9);
+    EXPECT_EQ(
+        load_manifest(folder_ / "manifest.json").find("I", "b")->variant.parameters.at("radius_m"),
+        0.9);
 }
 
 TEST_F(Generate, ADamagedManifestIsMadeAgain) {
