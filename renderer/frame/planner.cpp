@@ -104,7 +104,8 @@ const std::string& Planner::add(const Buffer& buffer) {
         planned.layers = 6 * needs().point_lights;
     }
     const int longest = std::max(planned.width, planned.height);
-    planned.levels = std::min(buffer.levels, std::bit_width(static_cast<unsigned>(longest)));
+    planned.levels =
+        std::min(buffer.levels, static_cast<int>(std::bit_width(static_cast<unsigned>(longest))));
     for (int level = 0; level < planned.levels; ++level) {
         planned.bytes += format_of(planned.format).bytes_per_texel *
                          static_cast<std::size_t>(std::max(1, planned.width >> level)) *
