@@ -16,6 +16,9 @@ Technique make_blizzard() {
     technique.samples = {1, 128, 24, 1};
     technique.fetches_per_sample = 1;
     technique.parameters = view_space_parameters();
+    technique.reach = "radius_m";
+    technique.model = view_space_model(1);
+    technique.by_nature = view_space_nature();
     return technique;
 }
 

@@ -1,8 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include "renderer/technique/crytek.h"
+
 #include "renderer/technique/list.h"
 
 namespace obscura::renderer {
+namespace {
+
+std::map<Ideal, std::string> crytek_nature() {
+    const std::string half =
+        "half of the samples around a flat surface lie below it: 0.75 where it faces the camera, "
+        "other values where it is tilted or where samples leave the image";
+    const std::string texture_space =
+        "its offsets are fractions of the image, not lengths in the scene";
+    return {{Ideal::kOpenFacing, half},
+            {Ideal::kOpenTilted, half},
+            {Ideal::kWholeScene, texture_space},
+            {Ideal::kAnyImage, texture_space},
+            {Ideal::kAnyFarPlane, "it weighs occluders by depth / far"}};
+}
+
+}  // namespace
 
 Technique make_crytek() {
     Technique technique;
@@ -18,6 +36,10 @@ Technique make_crytek() {
          "Length of the offsets before the first sample; each sample multiplies it by 1 + 2.4/N",
          "fraction of the image, and of the depth", 0.0, 1.0, 0.01},
     };
+    technique.reach = "offset_scale";
+    technique.model = crytek_model;
+    technique.by_nature = crytek_nature();
+    technique.facing_wall = 0.75;  // half of the samples lie behind the wall: a = 1/2, a^2 + a
     return technique;
 }
 

@@ -16,6 +16,9 @@ Technique make_raymarch() {
     technique.samples = {1, 128, 30, 1};
     technique.fetches_per_sample = 4;  // the steps along each direction
     technique.parameters = view_space_parameters();
+    technique.reach = "radius_m";
+    technique.model = view_space_model(4);
+    technique.by_nature = view_space_nature();
     return technique;
 }
 

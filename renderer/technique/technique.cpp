@@ -42,6 +42,11 @@ const Parameter* Technique::find_parameter(std::string_view parameter_name) cons
     return nullptr;
 }
 
+std::string Technique::why_not(Ideal ideal) const {
+    const auto found = by_nature.find(ideal);
+    return found != by_nature.end() ? found->second : "";
+}
+
 const Technique* find_technique(std::string_view name) {
     for (const Technique& technique : techniques()) {
         if (technique.name == name) return &technique;

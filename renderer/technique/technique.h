@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/technique/model.h"
+
 namespace obscura::renderer {
 
 /// One number that shapes a technique. Command line, study file, help and shader all read this.
@@ -30,6 +32,15 @@ struct SampleRange {
     int multiple_of = 1;
 };
 
+/// What would hold of a perfect accessibility, and some techniques fail by their nature.
+enum class Ideal {
+    kOpenFacing,   ///< a wall that faces the camera, near nothing, has 1
+    kOpenTilted,   ///< so has a tilted or convex surface
+    kWholeScene,   ///< what lies outside the image occludes too
+    kAnyImage,     ///< a value does not depend on the image's size in the scene
+    kAnyFarPlane,  ///< nor on where the camera's far plane is
+};
+
 /// One way to compute ambient occlusion: what it reads and what can be set.
 struct Technique {
     std::string name;      ///< in files and on the command line
@@ -42,7 +53,17 @@ struct Technique {
     SampleRange samples;
     int fetches_per_sample = 0;  ///< depth-buffer reads each sample may make
     std::vector<Parameter> parameters;
+    /// The parameter that says how far samples reach; 0 puts them all on the pixel's own point.
+    std::string reach;
+    /// The definition in double precision; empty where there is none yet.
+    Model model;
+    /// What it fails by its definition, each with the reason.
+    std::map<Ideal, std::string> by_nature;
+    /// What the definition gives a wall that faces the camera, in closed form.
+    double facing_wall = 1.0;
 
+    /// Why it fails an ideal; empty where it does not.
+    [[nodiscard]] std::string why_not(Ideal ideal) const;
     /// Whether it computes an accessibility; without one it is 1, and there is no pass for it.
     [[nodiscard]] bool makes_accessibility() const { return ray_traced || !shader.empty(); }
     [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
