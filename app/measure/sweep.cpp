@@ -18,25 +18,10 @@ using renderer::Frame;
 using renderer::Target;
 using renderer::TechniqueChoice;
 
-/// Conditions of the study that show just this setting.
-std::string shown_where(const View& view, const Setting& setting) {
-    std::string where;
-    for (const ShownSetting& shown : view.shown) {
-        // A fitted setting keeps the place of the one that it was made of.
-        const bool same = setting.fitted ? shown.choice.technique == setting.choice.technique &&
-                                               shown.choice.samples == setting.choice.samples &&
-                                               shown.choice.denoise == setting.choice.denoise
-                                         : stimuli::same_variant(shown.choice, setting.choice);
-        if (same && setting.choice.depth_format == "r32f") {
-            where += (where.empty() ? "" : ", ") + shown.where;
-        }
-    }
-    return where;
-}
-
 analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
     const TechniqueChoice& choice = setting.choice;
     analysis::MeasurementRow row;
+    row.scene_id = view.scene_id;
     row.scene = view.scene->id;
     row.camera = view.camera;
     row.validity = stimuli::to_string(view.validity);
@@ -49,8 +34,9 @@ analysis::MeasurementRow describe(const View& view, const Setting& setting, int 
     row.width = width;
     row.height = height;
     row.device = renderer::gpu_renderer();
-    row.fitted = setting.fitted;
-    row.published = shown_where(view, setting);
+    row.fitted = setting.values == Values::kFitted;
+    row.values = to_string(setting.values);
+    row.published = setting.shown;
     for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
         row.parameters[parameter.name] = choice.value_of(parameter);
     }
@@ -95,10 +81,6 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     row.image =
         analysis::final_image_error(frame.read_display(), true_image, truth.width, truth.height);
     analysis::ErrorMap map;
-    map.name = fmt::format("error-{}-{}-{}{}", row.scene, row.camera, row.variant,
-                           row.fitted ? "-fitted" : "");
-    map.title = fmt::format("{}, {}: {}{}", row.scene, row.camera, row.variant,
-                            row.fitted ? ", fitted" : ", as published");
     map.width = truth.width;
     map.height = truth.height;
     for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -127,10 +109,19 @@ std::string key_of(const renderer::FramePlan& plan) {
 
 }  // namespace
 
+std::string shown_where(const View& view, const TechniqueChoice& choice) {
+    std::string where;
+    for (const ShownSetting& shown : view.shown) {
+        if (!same_setting(shown.choice, choice)) continue;
+        where += (where.empty() ? "" : ", ") + shown.where;
+    }
+    return where;
+}
+
 std::vector<float> final_accessibility(const Frame& frame) {
     if (!frame.plan().has(renderer::Pass::kAccessibility)) {
-        return std::vector<float>(static_cast<std::size_t>(frame.plan().width) *
-                                      static_cast<std::size_t>(frame.plan().height),
+        return std::vector<float>(static_cast<std::size_t>(frame.plan().image_width) *
+                                      static_cast<std::size_t>(frame.plan().image_height),
                                   1.0F);
     }
     return frame.read_floats(frame.plan().final_accessibility());
@@ -140,8 +131,10 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
     std::vector<std::uint8_t> mask;
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
-    if (frame.plan().find(Target::kDepth) == nullptr) return mask;
-    const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
+    const Target depth = frame.plan().seen_by_technique(Target::kDepth);
+    if (frame.plan().find(depth) == nullptr) return mask;
+    const std::vector<float> depth_m = frame.read_floats(depth);
+    if (depth_m.size() != mask.size()) return mask;  // of samples, not of pixels
     for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= depth_m[i] < kBackgroundLimit_m;
     return mask;
 }
@@ -154,11 +147,11 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     for (const Setting& setting : settings) {
         const double radius_m = setting.truth_radius_m;
         const renderer::ReferenceImage& truth =
-            stage.truth(view, radius_m, request.width, request.height, request.rays);
+            stage.truth(view, radius_m, *request.width, *request.height, *request.rays);
         if (!true_images.contains(radius_m)) {
             true_images.emplace(radius_m, stage.true_image(view, truth, radius_m));
         }
-        swept.rows.push_back(describe(view, setting, request.width, request.height));
+        swept.rows.push_back(describe(view, setting, *request.width, *request.height));
         swept.rows.back().timer = timers.timer();
     }
     PlanFrames frames;
@@ -168,24 +161,24 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     };
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const double radius_m = settings[i].truth_radius_m;
-        Frame frame = stage.render(view, settings[i].choice, request.width, request.height);
+        Frame frame = stage.render(view, settings[i].choice, *request.width, *request.height);
         analysis::ErrorMap map =
             compare(swept.rows[i], frame,
-                    stage.truth(view, radius_m, request.width, request.height, request.rays),
+                    stage.truth(view, radius_m, *request.width, *request.height, *request.rays),
                     true_images.at(radius_m));
-        if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
+        if (!swept.rows[i].published.empty()) swept.maps.emplace_back(i, std::move(map));
         plans.push_back(key_of(frame.plan()));
         frames.try_emplace(plans.back(), PlanFrame{settings[i].choice, std::move(frame), {}});
         step_of(settings[i]);
     }
-    for (int run = 0; run < request.runs; ++run) {
+    for (int run = 0; run < *request.runs; ++run) {
         for (auto& [key, of_plan] : frames) {
-            of_plan.frame = stage.render(view, of_plan.choice, request.width, request.height);
+            of_plan.frame = stage.render(view, of_plan.choice, *request.width, *request.height);
             of_plan.others_ms.push_back(others_ms(of_plan.frame, timers.use_queries));
         }
     }
     std::vector<RunTimes> times(settings.size());
-    for (int run = 1; run < kDiscardedRuns + request.runs; ++run) {
+    for (int run = 1; run < kDiscardedRuns + *request.runs; ++run) {
         for (std::size_t i = 0; i < settings.size(); ++i) {
             const auto passes =
                 stage.render_again(view, frames.at(plans[i]).frame, settings[i].choice);
