@@ -23,8 +23,7 @@ class Techniques : public testing::TestWithParam<std::string> {
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, lighting, camera, choice,
-                                plan_frame(needs_of(scene, lighting), choice, width, height));
+        return renderer_.render({gpu, lighting, camera}, choice, width, height);
     }
 
     /// The accessibility in the middle of the image, where no sample leaves it.
@@ -61,7 +60,7 @@ TEST_F(Techniques, AWallFacingTheCameraHasTheClosedFormOfEachDefinition) {
 
 TEST_F(Techniques, EachThatAShaderComputesHasAModelAndAReachFromZero) {
     for (const Technique& technique : techniques()) {
-        if (technique.shader.empty()) continue;
+        if (technique.recipe == nullptr || !technique.makes_accessibility()) continue;
         EXPECT_TRUE(technique.model) << technique.name;
         ASSERT_NE(technique.find_parameter(technique.reach), nullptr) << technique.name;
         EXPECT_EQ(technique.find_parameter(technique.reach)->low, 0.0) << technique.name;
@@ -141,8 +140,7 @@ TEST_P(Computing, TheSameFrameTwiceIsTheSameToTheByte) {
     const Frame first = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     const Frame second = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     for (const PlannedTarget& planned : first.plan().targets) {
-        EXPECT_EQ(first.read_bytes(planned.target), second.read_bytes(planned.target))
-            << to_string(planned.target);
+        EXPECT_EQ(first.read_bytes(planned), second.read_bytes(planned)) << planned.name;
     }
 }
 

@@ -24,6 +24,7 @@ struct ShownImage {
     std::string variant;  ///< as in the votes: Blizzard24
     int samples = 0;
     std::string denoise;
+    std::string depth_format = "r32f";
     std::filesystem::path file;  ///< empty: there is no image file
     std::string sha256;          ///< of the file when it was made
 };

@@ -14,6 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 using analysis::ShownImage;
 
+void put_variant(ShownImage& shown, const renderer::Variant& variant) {
+    shown.technique = variant.technique;
+    shown.variant = variant.variant_name();
+    shown.samples = variant.samples;
+    shown.denoise = variant.denoise;
+    shown.depth_format = variant.depth_format;
+}
+
 ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
     ShownImage result;
     result.condition = image.condition;
@@ -21,11 +29,7 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
     result.scene = image.source;
     result.camera = image.camera;
     result.validity = image.validity;
-    result.technique = image.technique;
-    result.variant =
-        renderer::TechniqueChoice{image.technique, image.samples, {}, {}}.variant_name();
-    result.samples = image.samples;
-    result.denoise = image.denoise;
+    put_variant(result, image.variant);
     result.file = folder / image.file;
     result.sha256 = image.sha256;
     return result;
@@ -34,17 +38,13 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
 /// As the study asks for it, where no file was made.
 ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulus) {
     const stimuli::StudyScene& scene = study.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     ShownImage result;
     result.condition = stimulus.condition->id;
     result.side = stimulus.side == 'a' ? 'A' : 'B';
     result.scene = scene.source;
     result.camera = scene.camera;
     result.validity = std::string(to_string(scene.validity));
-    result.technique = choice.technique;
-    result.variant = choice.variant_name();
-    result.samples = choice.samples;
-    result.denoise = choice.denoise;
+    put_variant(result, stimulus.choice());
     return result;
 }
 

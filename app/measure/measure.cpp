@@ -76,8 +76,7 @@ std::vector<FittedChoice> fit_all(Stage& stage, const MeasureRequest& request,
 /// Settings that differ only in what a fit finds become one.
 void add_fitted(std::vector<Setting>& settings, Setting setting) {
     for (Setting& known : settings) {
-        if (known.values != Values::kFitted || !same_setting(known.choice, setting.choice))
-            continue;
+        if (known.values != Values::kFitted || known.choice != setting.choice) continue;
         if (!setting.shown.empty()) {
             known.shown += (known.shown.empty() ? "" : ", ") + setting.shown;
         }
@@ -170,7 +169,7 @@ void write_fitted_study(const MeasureRequest& request, const stimuli::Study& stu
         const View& view = view_of(views, condition.scene);
         const TechniqueChoice a = fitted_side(condition.a, view, fitted);
         const TechniqueChoice b = fitted_side(condition.b, view, fitted);
-        if (same_setting(a, b) && !same_setting(condition.a, condition.b)) {
+        if (a == b && condition.a != condition.b) {
             measured.notes.push_back(fmt::format(
                 "condition {}: with fitted values both sides would be the same {}; it is "
                 "left as it was",
@@ -193,8 +192,7 @@ void write_fitted_study(const MeasureRequest& request, const stimuli::Study& stu
     for (const stimuli::Condition& condition : wanted.conditions) {
         const stimuli::Condition* found = written.find_condition(condition.id);
         if (!condition.repeats.empty()) continue;
-        if (found == nullptr || !same_setting(found->a, condition.a) ||
-            !same_setting(found->b, condition.b)) {
+        if (found == nullptr || found->a != condition.a || found->b != condition.b) {
             throw base::failure(
                 "{}: condition {} would not be written as it was fitted; nothing is "
                 "written",

@@ -9,7 +9,6 @@
 
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -17,6 +16,8 @@ namespace {
 using renderer::Frame;
 using renderer::Target;
 using renderer::TechniqueChoice;
+
+constexpr float kSameSurface = 0.98F;  // of the depth of what the rays see
 
 analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
     const TechniqueChoice& choice = setting.choice;
@@ -37,9 +38,7 @@ analysis::MeasurementRow describe(const View& view, const Setting& setting, int 
     row.fitted = setting.values == Values::kFitted;
     row.values = to_string(setting.values);
     row.published = setting.shown;
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        row.parameters[parameter.name] = choice.value_of(parameter);
-    }
+    row.parameters = choice.all_parameters();
     row.reference_radius_m = setting.truth_radius_m;
     row.fetches_per_px = renderer::fetches_per_pixel(choice);
     return row;
@@ -66,7 +65,7 @@ double rms(const std::vector<float>& values, const std::vector<std::uint8_t>& co
 analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
                            const renderer::ReferenceImage& truth,
                            const std::vector<std::uint8_t>& true_image) {
-    const std::vector<float> measured = final_accessibility(frame);
+    const std::vector<float> measured = frame.read_accessibility();
     const std::vector<std::uint8_t> surfaces = surface_mask(frame, truth);
     row.error = analysis::accessibility_error(measured, truth.accessibility, surfaces);
     std::vector<std::uint8_t> interior =
@@ -74,7 +73,7 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
     row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
     row.nonfinite = nonfinite_of(measured);
-    if (frame.plan().has(renderer::Pass::kDenoise)) {
+    if (frame.plan().has(renderer::Phase::kDenoise)) {
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
     }
     row.truth_stderr = rms(truth.standard_error, surfaces);
@@ -100,9 +99,9 @@ using PlanFrames = std::map<std::string, PlanFrame>;
 /// Equal for plans with the same passes and buffers.
 std::string key_of(const renderer::FramePlan& plan) {
     std::string key;
-    for (const renderer::PlannedPass& pass : plan.passes) key += to_string(pass.pass) + ' ';
+    for (const renderer::PlannedPass& pass : plan.passes) key += pass.name + ' ';
     for (const renderer::PlannedTarget& target : plan.targets) {
-        key += to_string(target.target) + ' ' + target.format + ' ';
+        key += fmt::format("{} {} {}x{} ", target.name, target.format, target.width, target.height);
     }
     return key;
 }
@@ -112,30 +111,27 @@ std::string key_of(const renderer::FramePlan& plan) {
 std::string shown_where(const View& view, const TechniqueChoice& choice) {
     std::string where;
     for (const ShownSetting& shown : view.shown) {
-        if (!same_setting(shown.choice, choice)) continue;
+        if (shown.choice != choice) continue;
         where += (where.empty() ? "" : ", ") + shown.where;
     }
     return where;
-}
-
-std::vector<float> final_accessibility(const Frame& frame) {
-    if (!frame.plan().has(renderer::Pass::kAccessibility)) {
-        return std::vector<float>(static_cast<std::size_t>(frame.plan().image_width) *
-                                      static_cast<std::size_t>(frame.plan().image_height),
-                                  1.0F);
-    }
-    return frame.read_floats(frame.plan().final_accessibility());
 }
 
 std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::ReferenceImage& truth) {
     std::vector<std::uint8_t> mask;
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
-    const Target depth = frame.plan().seen_by_technique(Target::kDepth);
-    if (frame.plan().find(depth) == nullptr) return mask;
-    const std::vector<float> depth_m = frame.read_floats(depth);
-    if (depth_m.size() != mask.size()) return mask;  // of samples, not of pixels
-    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= depth_m[i] < kBackgroundLimit_m;
+    const renderer::FramePlan& plan = frame.plan();
+    const std::string seen = plan.seen_by_technique(Target::kDepth);
+    const renderer::PlannedTarget* planned = plan.find(seen);
+    if (planned == nullptr || planned->width != plan.image_width) return mask;
+    const std::vector<float> depth_m = frame.read_floats(seen);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        mask[i] &= depth_m[i] < kBackgroundLimit_m;
+        // Rays pass through a blended surface that the technique takes for an occluder: the two
+        // values are of different surfaces.
+        if (plan.blended_occlude()) mask[i] &= depth_m[i] > kSameSurface * truth.depth_m[i];
+    }
     return mask;
 }
 

@@ -13,7 +13,6 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
 #include "stimuli/scenes/open_scene.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -73,9 +72,8 @@ View make_view(Source source, const stimuli::StudyScene& scene, const stimuli::S
     view.camera = scene.camera;
     view.validity = scene.validity;
     view.radius_m = radius_on(study, source->source);
+    view.options = study.frame_options();
     view.shown = shown_where(study, [&](const auto& other) { return other.id == scene.id; });
-    view.options.supersampling = study.supersampling;
-    view.options.occluding_opacity = study.occluding_opacity;
     view.scene = std::move(source);
     return view;
 }
@@ -171,14 +169,15 @@ std::vector<std::string> filters_of(const MeasureRequest& request) {
 
 bool is_among(const std::vector<Valued>& list, const TechniqueChoice& choice) {
     return std::any_of(list.begin(), list.end(),
-                       [&](const Valued& held) { return same_setting(held.choice, choice); });
+                       [&](const Valued& held) { return held.choice == choice; });
 }
 
 bool same_parameters(const TechniqueChoice& a, const TechniqueChoice& b) {
     TechniqueChoice like_a = b;
     like_a.samples = a.samples;
     like_a.denoise = a.denoise;
-    return stimuli::same_variant(a, like_a);
+    like_a.depth_format = a.depth_format;
+    return a == like_a;
 }
 
 /// Of those that show the technique, one for each set of parameters.
@@ -225,10 +224,6 @@ std::string to_string(Values values) {
             return "fitted";
     }
     return "";
-}
-
-bool same_setting(const TechniqueChoice& a, const TechniqueChoice& b) {
-    return stimuli::same_variant(a, b) && a.depth_format == b.depth_format;
 }
 
 std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
@@ -314,7 +309,8 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
             }
         }
         // Half-float depth, on what the study shows or would show.
-        if (!request.quick && request.samples.empty() && technique.reads_depth) {
+        if (!request.quick && request.samples.empty() &&
+            technique.standard_recipe().reads(renderer::Target::kDepth)) {
             TechniqueChoice choice = ways.front().choice;
             choice.depth_format = "r16f";
             add(choice, ways.front().values);

@@ -28,6 +28,7 @@ struct View {
     std::string camera;
     stimuli::Validity validity = stimuli::Validity::kLow;
     double radius_m = 0.5;  ///< R of the truth for techniques that have no radius of their own
+    renderer::FrameOptions options;  ///< as the study shows it
     std::vector<ShownSetting> shown;
     renderer::FrameOptions options = {};  ///< as the study shows it
 };
@@ -69,10 +70,6 @@ inline constexpr const char* kTruthRadius = "radius_m";
 /// and filter, and what the study shows; each once. `none` has one setting.
 [[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
                                               const stimuli::Study& study);
-
-/// Whether two make the same accessibility, format of the depth included.
-[[nodiscard]] bool same_setting(const renderer::TechniqueChoice& a,
-                                const renderer::TechniqueChoice& b);
 
 /// The techniques that are measured: the request's, or all that are not the truth themselves.
 [[nodiscard]] std::vector<std::string> measured_techniques(const MeasureRequest& request);

@@ -34,9 +34,13 @@ Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
 
 SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
     const FramePlan& plan = frame.plan();
-    const Target depth = plan.seen_by_technique(Target::kDepth);
-    const Target normal = plan.seen_by_technique(Target::kNormal);
+    const std::string depth = plan.seen_by_technique(Target::kDepth);
+    const std::string normal = plan.seen_by_technique(Target::kNormal);
     SeenBuffers buffers{plan.width, plan.height, camera, frame.read_floats(depth), {}};
+    for (float& depth_m : buffers.depth_m) {
+        // Half floats hold infinity there; a shader sees no difference.
+        if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
+    }
     if (plan.find(normal) == nullptr) return buffers;
     for (const float code : frame.read_components(normal, 3)) {
         buffers.normal.push_back(static_cast<std::uint8_t>(std::lround(255.0F * code)));
@@ -80,15 +84,14 @@ Frame Bench::render(const Scene& scene, const Camera& camera, const TechniqueCho
                     int width, int height) {
     const Lighting lighting;
     const GpuScene gpu(scene);
-    const FramePlan plan = plan_frame(needs_of(scene, lighting), choice, width, height);
-    return renderer_.render(gpu, lighting, camera, choice, plan);
+    return renderer_.render({gpu, lighting, camera}, choice, width, height);
 }
 
 double Bench::time_ms(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
                       int width, int height) {
     double spent_ms = 0.0;
     for (const PassTime& time : render(scene, camera, choice, width, height).times) {
-        if (time.pass != Pass::kAccessibility) continue;
+        if (time.phase != Phase::kTechnique) continue;
         spent_ms += is_software_renderer() ? time.milliseconds : time.query_milliseconds;
     }
     return spent_ms;

@@ -66,7 +66,7 @@ void run(Bench& bench, const Technique& technique) {
     if (technique.ray_traced) return;  // it has neither tile nor filter
     const int size = bench.options().size_px;
     for (const Denoise& filter : denoise_filters()) {
-        if (filter.passes == 0) continue;
+        if (filter.recipe.steps.empty()) continue;
         TechniqueChoice choice = Bench::settings(technique, 0.4);
         choice.denoise = filter.name;
         const Shot corner = bench.shoot("a straight corner", straight_corner(),

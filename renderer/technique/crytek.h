@@ -7,6 +7,6 @@
 namespace obscura::renderer {
 
 /// `crytek` in double precision.
-[[nodiscard]] PixelModel crytek_model(const SeenBuffers& buffers, const TechniqueChoice& choice);
+[[nodiscard]] PixelModel crytek_model(const SeenBuffers& buffers, const Variant& variant);
 
 }  // namespace obscura::renderer

@@ -52,16 +52,16 @@ Rounded visible_of(const Rounded& d, const Rounded& seen, bool farther) {
 
 class CrytekModel {
   public:
-    CrytekModel(const SeenBuffers& buffers, const TechniqueChoice& choice)
+    CrytekModel(const SeenBuffers& buffers, const Variant& variant)
         : buffers_(buffers),
           view_(buffers),
           far_m_(buffers.camera.far_m),
-          samples_(choice.samples),
-          clamped_(!choice.unclamped) {
-        const Parameter& scale = *find_technique(choice.technique)->find_parameter("offset_scale");
+          samples_(variant.samples),
+          clamped_(!variant.unclamped) {
+        const Parameter& scale = *find_technique(variant.technique)->find_parameter("offset_scale");
         const std::vector<glm::vec3> tile = rotation_tile();
         for (std::size_t i = 0; i < offsets_.size(); ++i) {
-            offsets_[i] = offsets_about(tile[i], samples_, choice.value_of(scale));
+            offsets_[i] = offsets_about(tile[i], samples_, variant.value_of(scale));
         }
     }
 
@@ -131,8 +131,8 @@ class CrytekModel {
 
 }  // namespace
 
-PixelModel crytek_model(const SeenBuffers& buffers, const TechniqueChoice& choice) {
-    return [model = std::make_shared<const CrytekModel>(buffers, choice)](int x, int y) {
+PixelModel crytek_model(const SeenBuffers& buffers, const Variant& variant) {
+    return [model = std::make_shared<const CrytekModel>(buffers, variant)](int x, int y) {
         return model->at(x, y);
     };
 }

@@ -9,7 +9,7 @@
 namespace obscura::renderer {
 
 struct SeenBuffers;
-struct TechniqueChoice;
+struct Variant;
 
 /// What a definition gives one pixel, and what single precision may make of it: rounding, and each
 /// decision (which texel, which side of a threshold) that lies within rounding either way.
@@ -25,7 +25,7 @@ struct Admitted {
 /// x from the left, y from the bottom, as OpenGL counts. The buffers must outlive it; several
 /// threads may ask at a time.
 using PixelModel = std::function<Admitted(int x, int y)>;
-using Model = std::function<PixelModel(const SeenBuffers& buffers, const TechniqueChoice& choice)>;
+using Model = std::function<PixelModel(const SeenBuffers& buffers, const Variant& variant)>;
 
 /// The same of a denoise filter: the whole image from the accessibility before it; both upper row
 /// first.

@@ -57,11 +57,17 @@ inline Rounded operator/(const Rounded& a, const Rounded& b) {
     return {value, error + 2.5 * kUlp * (std::abs(value) + error)};
 }
 
+/// A value with whichever of two ends is farther.
+[[nodiscard]] inline Rounded between(double value, double low, double high) {
+    return {value, std::max(value - low, high - value)};
+}
 inline Rounded max(const Rounded& a, const Rounded& b) {
-    return {std::max(a.value, b.value), std::max(a.error, b.error)};
+    return between(std::max(a.value, b.value), std::max(a.low(), b.low()),
+                   std::max(a.high(), b.high()));
 }
 inline Rounded min(const Rounded& a, const Rounded& b) {
-    return {std::min(a.value, b.value), std::max(a.error, b.error)};
+    return between(std::min(a.value, b.value), std::min(a.low(), b.low()),
+                   std::min(a.high(), b.high()));
 }
 inline Rounded clamp(const Rounded& a, const Rounded& low, const Rounded& high) {
     return min(max(a, low), high);

@@ -21,10 +21,10 @@ struct Curve {
     Rounded scale_per_m;
     Rounded power;
 
-    explicit Curve(const TechniqueChoice& choice) {
-        const Technique& technique = *find_technique(choice.technique);
+    explicit Curve(const Variant& variant) {
+        const Technique& technique = *find_technique(variant.technique);
         const auto value = [&](const char* name) {
-            return nearest_float(choice.value_of(*technique.find_parameter(name)));
+            return nearest_float(variant.value_of(*technique.find_parameter(name)));
         };
         radius_m = value("radius_m");
         full_m = value("full_threshold_m");
@@ -63,11 +63,11 @@ struct Worth {
 
 class ViewSpaceModel {
   public:
-    ViewSpaceModel(const SeenBuffers& buffers, const TechniqueChoice& choice, int steps)
+    ViewSpaceModel(const SeenBuffers& buffers, const Variant& variant, int steps)
         : buffers_(buffers),
           view_(buffers),
-          curve_(choice),
-          samples_(choice.samples),
+          curve_(variant),
+          samples_(variant.samples),
           steps_(steps) {
         const auto vector = [](const glm::vec3& v) {
             return Rounded3{Rounded(v.x), Rounded(v.y), Rounded(v.z)};
@@ -161,8 +161,8 @@ class ViewSpaceModel {
 }  // namespace
 
 Model view_space_model(int steps) {
-    return [steps](const SeenBuffers& buffers, const TechniqueChoice& choice) -> PixelModel {
-        return [model = std::make_shared<const ViewSpaceModel>(buffers, choice, steps)](
+    return [steps](const SeenBuffers& buffers, const Variant& variant) -> PixelModel {
+        return [model = std::make_shared<const ViewSpaceModel>(buffers, variant, steps)](
                    int x, int y) { return model->at(x, y); };
     };
 }
