@@ -30,7 +30,6 @@ struct View {
     double radius_m = 0.5;  ///< R of the truth for techniques that have no radius of their own
     renderer::FrameOptions options;  ///< as the study shows it
     std::vector<ShownSetting> shown;
-    renderer::FrameOptions options = {};  ///< as the study shows it
 };
 
 /// Where a setting's values come from.
