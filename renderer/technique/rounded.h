@@ -52,7 +52,7 @@ inline Rounded operator*(const Rounded& a, const Rounded& b) {
 inline Rounded operator/(const Rounded& a, const Rounded& b) {
     const double value = a.value / b.value;
     const double least = std::abs(b.value) - b.error;
-    if (!(least > 0.0)) return {value, INFINITY};
+    if (!(least > 0.0)) return {0.0, INFINITY};
     const double error = (a.error + std::abs(value) * b.error) / least;
     return {value, error + 2.5 * kUlp * (std::abs(value) + error)};
 }

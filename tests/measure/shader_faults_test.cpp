@@ -49,12 +49,12 @@ class FaultyShaders {
     tests::TemporaryFolder folder_;
 };
 
-/// The rows that hold shaders against definitions and do not hold; border, units, projections and
-/// filters.
-std::vector<HardCaseResult> numerical_failures(const std::string& technique) {
+/// The rows that hold shaders against definitions and do not hold.
+std::vector<HardCaseResult> numerical_failures(const std::string& technique,
+                                               const std::vector<int>& cases) {
     HardCaseOptions options;
     options.techniques = {technique};
-    options.cases = {4, 9, 10, 11};
+    options.cases = cases;
     options.size_px = 64;
     options.timing = false;
     std::vector<HardCaseResult> failures;
@@ -73,14 +73,18 @@ class ShaderFaults : public testing::TestWithParam<Fault> {
 
 TEST_P(ShaderFaults, AreFoundByTheRowsThatNothingExcuses) {
     const FaultyShaders faulty(GetParam());
-    EXPECT_FALSE(numerical_failures(GetParam().technique).empty());
+    // Filters are met in case 11, frusta that are off their centre in case 10.
+    const bool of_filter = GetParam().file.starts_with("denoise/");
+    const bool of_lens = GetParam().right.find("ray_offset") != std::string::npos;
+    const int hard_case = of_filter ? 11 : of_lens ? 10 : 4;
+    EXPECT_FALSE(numerical_failures(GetParam().technique, {hard_case}).empty());
 }
 
 TEST_F(ShaderFaults, AreNotSeenWhereThereAreNone) {
     const FaultyShaders sound({"", "", "", "", ""});
     for (const Technique& technique : techniques()) {
         if (!technique.makes_accessibility()) continue;
-        for (const HardCaseResult& row : numerical_failures(technique.name)) {
+        for (const HardCaseResult& row : numerical_failures(technique.name, {4, 10, 11})) {
             ADD_FAILURE() << row.name << ", " << row.technique << ", " << row.quantity
                           << ": definition " << row.expected << ", measured " << row.measured
                           << ", tolerance " << row.tolerance << "; " << row.note;
