@@ -110,8 +110,11 @@ void change_side(std::string_view text, const toml::table& side, const VariantCh
 
 std::string path_from(const std::filesystem::path& to, const std::filesystem::path& file) {
     namespace fs = std::filesystem;
-    const fs::path target = fs::weakly_canonical(fs::absolute(file));
-    const fs::path relative = target.lexically_relative(fs::weakly_canonical(fs::absolute(to)));
+    const auto whole = [](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
+    };
+    const fs::path target = whole(file);
+    const fs::path relative = target.lexically_relative(whole(to));
     return (relative.empty() ? target : relative).generic_string();
 }
 

@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "app/measure/fit_settings.h"
+#include "app/measure/fitted_study.h"
 #include "app/measure/growth.h"
 #include "app/measure/hard_cases.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
-#include "stimuli/study_writer.h"
 
 namespace obscura::app {
 namespace {
@@ -140,66 +140,16 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
         "are not reported on where the scene has such; the number of samples is never fitted."};
 }
 
-const View& view_of(const std::vector<View>& views, const std::string& scene_id) {
-    return *std::find_if(views.begin(), views.end(),
-                         [&](const View& view) { return view.scene_id == scene_id; });
-}
-
-/// A side as the fit makes it; itself where there is none.
-TechniqueChoice fitted_side(const TechniqueChoice& shown, const View& view,
-                            const std::vector<FittedChoice>& fitted) {
-    TechniqueChoice changed = shown;
-    for (const FittedChoice& fit : fitted) {
-        if (!fit.is_for(*view.scene, shown)) continue;
-        for (const auto& [name, value] : fit.record.after) changed.parameters[name] = value;
-    }
-    return changed;
-}
-
-/// The study's text as it has to be where it is to be written, with the fitted values of each
-/// side's technique on its scene. A pair whose sides would become equal stays as it was, and is
-/// noted.
-void write_fitted_study(const MeasureRequest& request, const stimuli::Study& study,
-                        const std::vector<View>& views, const std::vector<FittedChoice>& fitted,
-                        Measured& measured) {
-    std::vector<stimuli::VariantChange> changes;
-    stimuli::Study wanted = study;
-    for (stimuli::Condition& condition : wanted.conditions) {
-        if (!condition.repeats.empty()) continue;  // it has no sides of its own
-        const View& view = view_of(views, condition.scene);
-        const TechniqueChoice a = fitted_side(condition.a, view, fitted);
-        const TechniqueChoice b = fitted_side(condition.b, view, fitted);
-        if (a == b && condition.a != condition.b) {
-            measured.notes.push_back(fmt::format(
-                "condition {}: with fitted values both sides would be the same {}; it is "
-                "left as it was",
-                condition.id, a.variant_name()));
-            continue;
-        }
-        condition.a = a;
-        condition.b = b;
-        for (const char side : {'a', 'b'}) {
-            changes.push_back({condition.id, side, (side == 'a' ? a : b).parameters});
+/// What the study shows of the truth itself has no row, and that is said.
+void note_truths(const stimuli::Study& study, Measured& measured) {
+    for (const stimuli::Condition& condition : study.conditions) {
+        for (const TechniqueChoice* side : {&condition.a, &condition.b}) {
+            if (!renderer::find_technique(side->technique)->ray_traced) continue;
+            measured.notes.push_back(
+                fmt::format("condition {}: {} is traced as the truth is, and has no row",
+                            condition.id, side->variant_name()));
         }
     }
-    const stimuli::StudySource source = stimuli::study_source(request.study);
-    const std::filesystem::path folder = request.write_study.parent_path();
-    const std::string text =
-        stimuli::with_paths_from(stimuli::with_variants(source.text, source.name, changes),
-                                 source.name, source.folder, folder);
-    const std::string name = request.write_study.string();
-    const stimuli::Study written = stimuli::parse_study(text, name, folder);
-    for (const stimuli::Condition& condition : wanted.conditions) {
-        const stimuli::Condition* found = written.find_condition(condition.id);
-        if (!condition.repeats.empty()) continue;
-        if (found == nullptr || found->a != condition.a || found->b != condition.b) {
-            throw base::failure(
-                "{}: condition {} would not be written as it was fitted; nothing is "
-                "written",
-                name, condition.id);
-        }
-    }
-    measured.fitted_study = text;
 }
 
 /// The setting that the timers are checked with: the most expensive technique's.
@@ -284,8 +234,15 @@ std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
 void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study& study,
                const std::vector<View>& views, Measured& measured, const TimerCheck& timers) {
     std::vector<FittedChoice> fitted;
+    const bool writes = !request.write_study.empty();
+    // Once before the work, for what would be wrong with the text however the fits turn out.
+    if (writes) (void)fitted_study(request, study, views, {});
     if (request.fit) fitted = fit_all(stage, request, study, views);
-    if (!request.write_study.empty()) write_fitted_study(request, study, views, fitted, measured);
+    if (writes) {
+        FittedStudy written = fitted_study(request, study, views, fitted);
+        measured.fitted_study = std::move(written.text);
+        for (std::string& note : written.notes) measured.notes.push_back(std::move(note));
+    }
     const std::vector<std::vector<Setting>> settings =
         settings_of_all(request, study, views, fitted);
     std::size_t count = 0;
@@ -343,6 +300,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     }
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
+    if (request.scenes.empty()) note_truths(study, measured);
     Stage stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;
