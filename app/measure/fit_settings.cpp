@@ -83,10 +83,7 @@ double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
 }  // namespace
 
 bool FittedChoice::is_for(const stimuli::SceneSource& on, const TechniqueChoice& other) const {
-    if (scene.get() != &on || other.technique != published.technique ||
-        other.depth_format != published.depth_format) {
-        return false;
-    }
+    if (scene.get() != &on || other.technique != published.technique) return false;
     const auto& parameters = renderer::find_technique(other.technique)->parameters;
     return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
         const bool found_by_fit =

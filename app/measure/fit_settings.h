@@ -19,9 +19,9 @@ struct FittedChoice {
     renderer::TechniqueChoice published;  ///< what it was made of: samples and filter of the fit
     renderer::TechniqueChoice choice;     ///< the same with fitted values
 
-    /// Whether the values are for that choice on that scene too: the technique, R of the truth,
-    /// format of the depth and every parameter that a fit leaves alone are the same. Where a fit
-    /// starts, samples and filter may be others.
+    /// Whether the values are for that choice on that scene too: the technique, R of the truth and
+    /// every parameter that a fit leaves alone are the same. Where a fit starts, samples, filter and
+    /// formats may be others.
     [[nodiscard]] bool is_for(const stimuli::SceneSource& on,
                               const renderer::TechniqueChoice& other) const;
     analysis::Fitted record;

@@ -99,7 +99,9 @@ std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::
         for (std::size_t i = 0; i < published; ++i) {
             const Setting before = settings[i];
             if (!fit.is_for(*view.scene, before.choice)) continue;
-            if (before.choice.denoise != fit.choice.denoise && before.shown.empty()) continue;
+            const bool as_fitted = before.choice.denoise == fit.choice.denoise &&
+                                   before.choice.depth_format == fit.choice.depth_format;
+            if (!as_fitted && before.shown.empty()) continue;
             Setting setting = before;
             setting.values = Values::kFitted;
             setting.choice.parameters = fit.choice.parameters;
