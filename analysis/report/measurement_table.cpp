@@ -108,6 +108,7 @@ class Reader {
 
 MeasuredSetting row_of(Reader& reader) {
     MeasuredSetting row;
+    row.scene_id = reader.text("scene_id");
     row.scene = reader.text("scene");
     row.camera = reader.text("camera");
     row.validity = reader.text("validity");

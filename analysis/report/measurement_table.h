@@ -14,6 +14,7 @@ namespace obscura::analysis {
 /// One row of a measurement: what one setting of a technique costs on one view of a scene, and how
 /// far its accessibility is from the ray-traced truth.
 struct MeasuredSetting {
+    std::string scene_id = {};  ///< the study's name of the view's scene; empty: not said
     std::string scene;
     std::string camera;
     std::string validity;
@@ -39,7 +40,7 @@ struct MeasurementTable {
 };
 
 /// The CSV table of `obscura measure`, columns in any order: scene, camera, validity, technique,
-/// samples, ms_median and rmse are needed; blur, depth_format, ao_scale, width, height, device,
+/// samples, ms_median and rmse are needed; scene_id, blur, depth_format, ao_scale, width, height, device,
 /// fitted, bias, on_front and published are read where they are there, the others passed over. An
 /// empty cell is a value that was not measured. Throws bad input that lists what is wrong as
 /// `file:line: column, value, what is allowed`.

@@ -24,15 +24,29 @@ bool names_condition(const std::string& list, const std::string& name) {
     return false;
 }
 
+/// Whether the list names that side of that condition: `II a, IV b`.
+bool names_side(const std::string& list, const ShownImage& image) {
+    const std::string wanted = image.condition + (image.side == 'A' ? " a" : " b");
+    const std::string all = ", " + list + ", ";
+    return all.find(", " + wanted + ", ") != std::string::npos;
+}
+
+/// What the study calls the scene names the view; a table or an image that does not say it is known
+/// by source and camera, which several views may have in common.
+bool is_of_view(const MeasuredSetting& row, const ShownImage& image) {
+    if (!row.scene_id.empty() && !image.scene_id.empty()) return row.scene_id == image.scene_id;
+    return row.scene == image.scene && row.camera == image.camera && row.validity == image.validity;
+}
+
 bool shows_the_same(const MeasuredSetting& row, const ShownImage& image) {
-    return row.scene == image.scene && row.camera == image.camera &&
-           row.validity == image.validity && row.technique == image.technique &&
+    return is_of_view(row, image) && row.technique == image.technique &&
            row.samples == image.samples;
 }
 
 /// How well a row that shows the same stands for the image; larger is better.
 auto fitness(const MeasuredSetting& row, const ShownImage& image) {
-    return std::tuple(names_condition(row.published, image.condition), !row.fitted,
+    return std::tuple(names_side(row.published, image),
+                      names_condition(row.published, image.condition), !row.fitted,
                       row.blur == image.denoise, row.depth_format == image.depth_format,
                       row.ao_scale == 1.0, row.rmse.has_value(), row.ms_median.has_value());
 }

@@ -16,7 +16,8 @@ namespace obscura::analysis {
 /// One image of a condition, as the program that made it describes it.
 struct ShownImage {
     std::string condition;
-    char side = 'A';  ///< A or B
+    char side = 'A';            ///< A or B
+    std::string scene_id = {};  ///< the study's name of it; empty: not said
     std::string scene;
     std::string camera;
     std::string validity;

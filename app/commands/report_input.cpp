@@ -26,6 +26,7 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
     ShownImage result;
     result.condition = image.condition;
     result.side = image.side == "a" ? 'A' : 'B';
+    result.scene_id = image.scene;
     result.scene = image.source;
     result.camera = image.camera;
     result.validity = image.validity;
@@ -41,6 +42,7 @@ ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulu
     ShownImage result;
     result.condition = stimulus.condition->id;
     result.side = stimulus.side == 'a' ? 'A' : 'B';
+    result.scene_id = scene.id;
     result.scene = scene.source;
     result.camera = scene.camera;
     result.validity = std::string(to_string(scene.validity));

@@ -19,25 +19,10 @@ using renderer::TechniqueChoice;
 
 constexpr float kSameSurface = 0.98F;  // of the depth of what the rays see
 
-/// Conditions of the study that show just this setting.
-std::string shown_where(const View& view, const Setting& setting) {
-    std::string where;
-    for (const ShownSetting& shown : view.shown) {
-        // A fitted setting keeps the place of the one that it was made of.
-        const bool same = setting.fitted
-                              ? shown.choice.technique == setting.choice.technique &&
-                                    shown.choice.samples == setting.choice.samples &&
-                                    shown.choice.denoise == setting.choice.denoise &&
-                                    shown.choice.depth_format == setting.choice.depth_format
-                              : shown.choice == setting.choice;
-        if (same) where += (where.empty() ? "" : ", ") + shown.where;
-    }
-    return where;
-}
-
 analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
     const TechniqueChoice& choice = setting.choice;
     analysis::MeasurementRow row;
+    row.scene_id = view.scene_id;
     row.scene = view.scene->id;
     row.camera = view.camera;
     row.validity = stimuli::to_string(view.validity);
@@ -50,8 +35,9 @@ analysis::MeasurementRow describe(const View& view, const Setting& setting, int 
     row.width = width;
     row.height = height;
     row.device = renderer::gpu_renderer();
-    row.fitted = setting.fitted;
-    row.published = shown_where(view, setting);
+    row.fitted = setting.values == Values::kFitted;
+    row.values = to_string(setting.values);
+    row.published = setting.shown;
     row.parameters = choice.all_parameters();
     row.reference_radius_m = setting.truth_radius_m;
     row.fetches_per_px = renderer::fetches_per_pixel(choice);
@@ -94,10 +80,6 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     row.image =
         analysis::final_image_error(frame.read_display(), true_image, truth.width, truth.height);
     analysis::ErrorMap map;
-    map.name = fmt::format("error-{}-{}-{}{}", row.scene, row.camera, row.variant,
-                           row.fitted ? "-fitted" : "");
-    map.title = fmt::format("{}, {}: {}{}", row.scene, row.camera, row.variant,
-                            row.fitted ? ", fitted" : ", as published");
     map.width = truth.width;
     map.height = truth.height;
     for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -126,6 +108,15 @@ std::string key_of(const renderer::FramePlan& plan) {
 
 }  // namespace
 
+std::string shown_where(const View& view, const TechniqueChoice& choice) {
+    std::string where;
+    for (const ShownSetting& shown : view.shown) {
+        if (shown.choice != choice) continue;
+        where += (where.empty() ? "" : ", ") + shown.where;
+    }
+    return where;
+}
+
 std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::ReferenceImage& truth) {
     std::vector<std::uint8_t> mask;
     mask.reserve(truth.depth_m.size());
@@ -152,11 +143,11 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     for (const Setting& setting : settings) {
         const double radius_m = setting.truth_radius_m;
         const renderer::ReferenceImage& truth =
-            stage.truth(view, radius_m, request.width, request.height, request.rays);
+            stage.truth(view, radius_m, *request.width, *request.height, *request.rays);
         if (!true_images.contains(radius_m)) {
             true_images.emplace(radius_m, stage.true_image(view, truth, radius_m));
         }
-        swept.rows.push_back(describe(view, setting, request.width, request.height));
+        swept.rows.push_back(describe(view, setting, *request.width, *request.height));
         swept.rows.back().timer = timers.timer();
     }
     PlanFrames frames;
@@ -166,24 +157,24 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     };
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const double radius_m = settings[i].truth_radius_m;
-        Frame frame = stage.render(view, settings[i].choice, request.width, request.height);
+        Frame frame = stage.render(view, settings[i].choice, *request.width, *request.height);
         analysis::ErrorMap map =
             compare(swept.rows[i], frame,
-                    stage.truth(view, radius_m, request.width, request.height, request.rays),
+                    stage.truth(view, radius_m, *request.width, *request.height, *request.rays),
                     true_images.at(radius_m));
-        if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
+        if (!swept.rows[i].published.empty()) swept.maps.emplace_back(i, std::move(map));
         plans.push_back(key_of(frame.plan()));
         frames.try_emplace(plans.back(), PlanFrame{settings[i].choice, std::move(frame), {}});
         step_of(settings[i]);
     }
-    for (int run = 0; run < request.runs; ++run) {
+    for (int run = 0; run < *request.runs; ++run) {
         for (auto& [key, of_plan] : frames) {
-            of_plan.frame = stage.render(view, of_plan.choice, request.width, request.height);
+            of_plan.frame = stage.render(view, of_plan.choice, *request.width, *request.height);
             of_plan.others_ms.push_back(others_ms(of_plan.frame, timers.use_queries));
         }
     }
     std::vector<RunTimes> times(settings.size());
-    for (int run = 1; run < kDiscardedRuns + request.runs; ++run) {
+    for (int run = 1; run < kDiscardedRuns + *request.runs; ++run) {
         for (std::size_t i = 0; i < settings.size(); ++i) {
             const auto passes =
                 stage.render_again(view, frames.at(plans[i]).frame, settings[i].choice);

@@ -1,5 +1,5 @@
 # obscura_registry(TARGET FOLDER TYPE FUNCTION SHADERS): reads FOLDER/list, where a line is a name and
-# the shaders that belong to it. Each FOLDER/NAME.cpp joins TARGET and defines `TYPE NAME_FOLDER()`;
+# the other sources (.cpp) and shaders that belong to it. Each FOLDER/NAME.cpp joins TARGET and defines `TYPE NAME_FOLDER()`;
 # FUNCTION, which gives all of them in the list's order, is written here. The shaders are appended to
 # the list that SHADERS names.
 function(obscura_registry target folder type function shaders)
@@ -18,6 +18,10 @@ function(obscura_registry target folder type function shaders)
         string(APPEND calls "        ${name}_${folder}(),\n")
         target_sources(${target} PRIVATE "${folder}/${name}.cpp")
         list(TRANSFORM words PREPEND "${folder}/")
+        set(sources ${words})
+        list(FILTER sources INCLUDE REGEX "\\.cpp$")
+        target_sources(${target} PRIVATE ${sources})
+        list(FILTER words EXCLUDE REGEX "\\.cpp$")
         list(APPEND ${shaders} ${words})
     endforeach()
     set(output "${CMAKE_CURRENT_BINARY_DIR}/${folder}_list.cpp")

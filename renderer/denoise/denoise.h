@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/recipe/recipe.h"
+#include "renderer/technique/model.h"
 
 namespace obscura::renderer {
 
@@ -16,7 +17,15 @@ struct Denoise {
     std::string name;  ///< in files and on the command line
     std::string citation;
     Recipe recipe;
+    DenoiseModel model = {};          ///< in double precision
+    std::string edge_by_nature = "";  ///< why it leaks over depth edges; empty: it does not
 };
+
+// Each in a file of its own.
+[[nodiscard]] std::vector<Admitted> box4_model(const SeenBuffers& buffers,
+                                               std::span<const float> accessibility);
+[[nodiscard]] std::vector<Admitted> separable_model(const SeenBuffers& buffers,
+                                                    std::span<const float> accessibility);
 
 /// All denoise filters.
 [[nodiscard]] const std::vector<Denoise>& denoise_filters();

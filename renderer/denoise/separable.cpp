@@ -25,7 +25,7 @@ Denoise separable_denoise() {
     return {"separable",
             "bilateral in two passes, as Jakobsen 2010 took from Bavoil and Sainz 2009; weights "
             "follow the slope of the depth",
-            recipe};
+            recipe, separable_model};
 }
 
 }  // namespace obscura::renderer

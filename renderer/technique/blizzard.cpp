@@ -21,6 +21,9 @@ Technique blizzard_technique() {
     technique.samples = {1, 128, 24, 1};
     technique.parameters = view_space_parameters();
     technique.recipe = recipe_of;
+    technique.reach = "radius_m";
+    technique.model = view_space_model(1);
+    technique.by_nature = view_space_nature();
     return technique;
 }
 

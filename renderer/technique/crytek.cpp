@@ -1,11 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include "renderer/technique/crytek.h"
+
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
-
 namespace {
+
+std::map<Ideal, std::string> crytek_nature() {
+    const std::string half =
+        "half of the samples around a flat surface lie below it: 0.75 where it faces the camera, "
+        "other values where it is tilted or where samples leave the image";
+    const std::string texture_space =
+        "its offsets are fractions of the image, not lengths in the scene";
+    return {{Ideal::kOpenFacing, half},
+            {Ideal::kOpenTilted, half},
+            {Ideal::kWholeScene, texture_space},
+            {Ideal::kAnyImage, texture_space},
+            {Ideal::kAnyFarPlane, "it weighs occluders by depth / far"}};
+}
 
 Recipe recipe_of(const Variant& variant) {
     Recipe recipe;
@@ -30,6 +44,10 @@ Technique crytek_technique() {
          "fraction of the image, and of the depth", 0.0, 1.0, 0.01},
     };
     technique.recipe = recipe_of;
+    technique.reach = "offset_scale";
+    technique.model = crytek_model;
+    technique.by_nature = crytek_nature();
+    technique.facing_wall = 0.75;  // half of the samples lie behind the wall: a = 1/2, a^2 + a
     return technique;
 }
 

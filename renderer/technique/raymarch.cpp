@@ -23,6 +23,9 @@ Technique raymarch_technique() {
     technique.samples = {1, 128, 30, 1};
     technique.parameters = view_space_parameters();
     technique.recipe = recipe_of;
+    technique.reach = "radius_m";
+    technique.model = view_space_model(kSteps);
+    technique.by_nature = view_space_nature();
     return technique;
 }
 

@@ -15,6 +15,11 @@ Recipe Technique::standard_recipe() const {
     return recipe != nullptr ? recipe(standard_variant(*this)) : Recipe{};
 }
 
+std::string Technique::why_not(Ideal ideal) const {
+    const auto found = by_nature.find(ideal);
+    return found != by_nature.end() ? found->second : "";
+}
+
 const Technique* find_technique(std::string_view name) {
     for (const Technique& technique : techniques()) {
         if (technique.name == name) return &technique;

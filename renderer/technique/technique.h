@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "renderer/recipe/recipe.h"
+#include "renderer/technique/model.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::renderer {
@@ -39,6 +41,15 @@ enum class Output {
     kColour,         ///< the last step writes `colour`, before the tone curve
 };
 
+/// What would hold of a perfect accessibility, and some techniques fail by their nature.
+enum class Ideal {
+    kOpenFacing,   ///< a wall that faces the camera, near nothing, has 1
+    kOpenTilted,   ///< so has a tilted or convex surface
+    kWholeScene,   ///< what lies outside the image occludes too
+    kAnyImage,     ///< a value does not depend on the image's size in the scene
+    kAnyFarPlane,  ///< nor on where the camera's far plane is
+};
+
 /// One way to compute ambient occlusion: what it computes in a frame and what can be set.
 struct Technique {
     std::string name;      ///< in files and on the command line
@@ -49,7 +60,17 @@ struct Technique {
     SampleRange samples;
     std::vector<Parameter> parameters;
     Recipe (*recipe)(const Variant& variant) = nullptr;  ///< the variant has no problems
+    /// The parameter that says how far samples reach; 0 puts them all on the pixel's own point.
+    std::string reach;
+    /// The definition in double precision; empty where there is none yet.
+    Model model;
+    /// What it fails by its definition, each with the reason.
+    std::map<Ideal, std::string> by_nature;
+    /// What the definition gives a wall that faces the camera, in closed form.
+    double facing_wall = 1.0;
 
+    /// Why it fails an ideal; empty where it does not.
+    [[nodiscard]] std::string why_not(Ideal ideal) const;
     [[nodiscard]] bool makes_accessibility() const { return output == Output::kAccessibility; }
     /// The recipe of its standard settings; empty where there is none.
     [[nodiscard]] Recipe standard_recipe() const;

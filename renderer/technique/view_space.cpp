@@ -31,4 +31,14 @@ Recipe view_space_recipe(const Variant& variant, const std::string& shader, int 
     return recipe;
 }
 
+std::map<Ideal, std::string> view_space_nature() {
+    return {
+        {Ideal::kOpenTilted,
+         "the depth at a sample is compared with the depth of P, so the nearer part of a tilted or "
+         "round surface counts as an occluder of the rest"},
+        {Ideal::kWholeScene,
+         "what lies outside the image is not in the buffer and reads as very far"},
+    };
+}
+
 }  // namespace obscura::renderer

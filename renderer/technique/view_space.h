@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,11 @@ namespace obscura::renderer {
 /// depth of `depths_per_sample` points for each of them.
 [[nodiscard]] Recipe view_space_recipe(const Variant& variant, const std::string& shader,
                                        int depths_per_sample);
+
+/// What both fail by their definition.
+[[nodiscard]] std::map<Ideal, std::string> view_space_nature();
+
+/// Both in double precision: the first of `steps` equal steps that finds an occluder counts.
+[[nodiscard]] Model view_space_model(int steps);
 
 }  // namespace obscura::renderer
