@@ -81,6 +81,7 @@ class ObjChecker {
     std::string file_;
     Notes& notes_;
     ObjLine line_;
+    std::vector<std::string_view> words_;  ///< of it
     std::vector<Triple> positions_;
     std::vector<Triple> colours_;  ///< empty, or one a position
     std::vector<bool> normal_is_sound_;
@@ -95,11 +96,10 @@ class ObjChecker {
 };
 
 bool ObjChecker::numbers(std::size_t most, std::vector<double>& values) const {
-    const auto words = line_.words();
     values.clear();
-    for (std::size_t i = 1; i < words.size() && values.size() < most; ++i) {
+    for (std::size_t i = 1; i < words_.size() && values.size() < most; ++i) {
         double value = 0.0;
-        if (!parse_number(words[i], value) || !(std::abs(value) <= 1e30)) return false;
+        if (!parse_number(words_[i], value) || !(std::abs(value) <= 1e30)) return false;
         values.push_back(value);
     }
     return true;
@@ -118,7 +118,7 @@ void ObjChecker::position() {
                          comma ? ", with a point where there is a comma" : ""));
     }
     positions_.push_back({values[0], values[1], values[2]});
-    const std::size_t words = line_.words().size();
+    const std::size_t words = words_.size();
     Triple colour{1.0, 1.0, 1.0};
     if (words >= 7) {
         if (words > 7) note("numbers behind the colour of a vertex are left out");
@@ -209,20 +209,19 @@ Corner ObjChecker::corner(std::string_view word) {
 
 void ObjChecker::face() {
     constexpr std::size_t kMostCorners = 1024;
-    const auto words = line_.words();
-    if (words.size() < 4 || words.size() > kMostCorners + 1) {
+    if (words_.size() < 4 || words_.size() > kMostCorners + 1) {
         fail(line_.number, fmt::format("a face of {} corners, allowed are 3 to {}",
-                                       words.size() - 1, kMostCorners));
+                                       words_.size() - 1, kMostCorners));
     }
-    checked_.triangles += words.size() - 3;
+    checked_.triangles += words_.size() - 3;
     if (checked_.triangles > kMostObjTriangles) {
         fail(line_.number,
              fmt::format("more than {} triangles, which is what an OBJ file may have here; convert "
                          "it to .glb",
                          kMostObjTriangles));
     }
-    faces_.push_back({corners_.size(), words.size() - 1, material_, line_.number});
-    for (std::size_t i = 1; i < words.size(); ++i) corners_.push_back(corner(words[i]));
+    faces_.push_back({corners_.size(), words_.size() - 1, material_, line_.number});
+    for (std::size_t i = 1; i < words_.size(); ++i) corners_.push_back(corner(words_[i]));
 }
 
 void ObjChecker::use_material(const std::string& name) {
@@ -392,7 +391,10 @@ void ObjChecker::write_faces() {
 
 CheckedObj ObjChecker::run() {
     use_material("");
-    while (lines_.next(line_)) statement();
+    while (lines_.next(line_)) {
+        words_ = line_.words();
+        statement();
+    }
     if (corners_.empty()) throw base::bad_input("{}: it holds no faces", name_);
     resolve();
     write_vertices();
