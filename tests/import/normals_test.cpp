@@ -25,9 +25,9 @@ TEST(ImportedNormals, ATriangleWithOneTurnedNormalIsCounted) {
             std::memcpy(glb.binary.data() + 36 + 12 * i, back, sizeof back);
         }
         const auto said =
-            Contains(HasSubstr("point to their back are lit as their normals say: 1 of 1"));
+            Contains(HasSubstr("points to their back are lit as their normals say: 1 of 1"));
         if (turned == 0) {
-            EXPECT_THAT(glb.import().notes, Each(Not(HasSubstr("point to their back"))));
+            EXPECT_THAT(glb.import().notes, Each(Not(HasSubstr("points to their back"))));
         } else {
             EXPECT_THAT(glb.import().notes, said) << turned;
         }
