@@ -283,6 +283,22 @@ TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
     EXPECT_THAT(warnings_of(load_study("jakobsen2010")), testing::IsEmpty());
 }
 
+TEST_F(SceneStudy, WhatACameraSeesFromBehindIsWarnedOfForTheCameraInUse) {
+    const auto warnings_from = [this](const char* position) {
+        const StudyReading reading = read(fmt::format(
+            "camera = {{ position_m = {}, target_m = [0, 0.5, 0], vertical_fov_deg = 40 }}\n"
+            "validity = \"low\"",
+            position));
+        EXPECT_EQ(to_lines(reading.problems, "study"), "");
+        return warnings_of(reading.study);
+    };
+    EXPECT_THAT(warnings_from("[4, 3, 5]"), testing::Each(testing::Not(HasSubstr("behind"))));
+    // From below the floor.
+    EXPECT_THAT(
+        warnings_from("[4, -3, 5]"),
+        Contains(HasSubstr("seen from behind, where they are lit as from the front: 100 %")));
+}
+
 TEST_F(SceneStudy, TheExampleOverTheOriginalScenesLacksNothingButItsFiles) {
     const std::filesystem::path file =
         std::filesystem::path(OBSCURA_SOURCE_DIR) / "stimuli/studies/original-scenes.toml";
