@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"

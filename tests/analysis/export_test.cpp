@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/store/store.h"
