@@ -91,6 +91,7 @@ class Reader {
     void read_header(const CsvRow& header) {
         header_line_ = header.line;
         columns_.emplace(header, known_columns(), map_, problems_);
+        problems_.throw_if_any();
         bool any_missing = false;
         for (const CountsColumn column : {kVariantA, kVariantB, kCountA, kCountB}) {
             if (columns_->has(column)) continue;

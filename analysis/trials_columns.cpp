@@ -68,6 +68,8 @@ const std::array<KnownColumn, kColumnCount>& known_columns() {
 
 TrialsColumns::TrialsColumns(const CsvRow& header, const ColumnMap& map, FileProblems& problems)
     : Columns(header, known_columns(), map, problems) {
+    if (!problems.none()) return;
+    if (!has(kFirstShown)) drop(kResponse);
     bool any_missing = false;
     for (const TrialsColumn column : {kObserver, kConditionA, kConditionB}) {
         if (has(column)) continue;
@@ -82,7 +84,6 @@ TrialsColumns::TrialsColumns(const CsvRow& header, const ColumnMap& map, FilePro
     if (any_missing) report_names(problems);
     if (has(kIsASelected)) drop(kChoseB);
     if (has(kIsASelected) || has(kChoseB)) drop(kChosen);
-    if (!has(kFirstShown)) drop(kResponse);
     if (has(kResponseTime)) drop(kResponseTimeMs);
 }
 

@@ -152,10 +152,18 @@ class Reader {
         if (is_missing_name(text)) return 0;
         const std::size_t known = table_.names.size();
         last = table_.names.number_of(text);
-        if (last >= known && std::any_of(text.begin(), text.end(), is_control)) {
-            report(row, column, text, "is text without control characters");
-        }
+        if (last >= known) check_name(row, column, text);
         return last;
+    }
+
+    void check_name(const CsvRow& row, TrialsColumn column, std::string_view text) {
+        constexpr std::size_t kLongestName = 1000;
+        if (std::any_of(text.begin(), text.end(), is_control)) {
+            report(row, column, text, "is text without control characters");
+        } else if (text.size() > kLongestName) {
+            report(row, column, text,
+                   fmt::format("are {} bytes, not {}", kLongestName, text.size()));
+        }
     }
 
     std::uint32_t needed(const CsvRow& row, TrialsColumn column) {
@@ -173,7 +181,9 @@ class Reader {
         if (kind) {
             answer.kind = *kind;
         } else {
-            report(row, kKind, text, "are participant, practice, catch, simulated");
+            report(
+                row, kKind, text,
+                "are participant, practice, catch, simulated; --map kind= passes the column over");
         }
     }
 
