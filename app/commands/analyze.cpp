@@ -58,6 +58,9 @@ Answers answers_of_store(const std::string& url, const Options& options) {
 Answers answers_of(const Options& options, const Globals& globals) {
     if (options.published) return {analysis::published_votes()};
     const analysis::ColumnMap map(options.map);
+    if (!options.map.empty() && options.counts.empty() && options.trials.empty()) {
+        throw base::bad_input("--map {}: it needs --trials or --counts", options.map.front());
+    }
     if (!options.counts.empty()) return {analysis::read_counts(options.counts, map)};
     if (options.trials.empty()) {
         return answers_of_store(options.db.empty() ? globals.store_url() : options.db, options);
