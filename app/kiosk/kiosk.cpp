@@ -226,6 +226,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
             kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
             options.store_url);
     }
+    store.require_in_place();
 }
 
 }  // namespace obscura::app::kiosk
