@@ -10,6 +10,8 @@
 #include <map>
 
 #include "analysis/csv.h"
+#include "analysis/direction.h"
+#include "analysis/natural_order.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
@@ -38,6 +40,10 @@ class Reader {
                 report(records.front().line, "there is no row below the header");
         }
         if (!problems_.empty()) throw base::bad_input("{}", fmt::join(problems_, "\n"));
+        std::sort(tally_.conditions.begin(), tally_.conditions.end(),
+                  [](const ConditionVotes& one, const ConditionVotes& other) {
+                      return naturally_before(one.id, other.id);
+                  });
         tally_.source = name_;
         tally_.order = Possible<OrderVotes>::none("counts do not say which image was shown first");
         tally_.n_participants = participants();
@@ -79,6 +85,10 @@ class Reader {
         condition.variant_a = word(row, "variant_a");
         condition.variant_b = word(row, "variant_b");
         condition.votes = {count(row, "count_a"), count(row, "count_b")};
+        if (is_a_of(condition.variant_b, condition.variant_a)) {
+            std::swap(condition.variant_a, condition.variant_b);
+            std::swap(condition.votes.a, condition.votes.b);
+        }
         const std::string& validity = condition.validity;
         if (!validity.empty() && validity != "low" && validity != "moderate" &&
             validity != "high") {

@@ -18,10 +18,11 @@ namespace obscura::analysis {
 /// - every column of the exported trials.csv; condition, hypothesis, validity, first_shown,
 ///   response, trial_index, kind, study, session_state, expected, repeats and exclusion are read,
 ///   the others passed over.
-/// Without the column condition, a condition is a scene with two variants, whichever of them is
-/// called A; A is then what the first row calls so. A session that says nothing of its state was
-/// completed. The file is read in pieces. Throws bad input that lists what is wrong as
-/// `file:line: column, value, what is allowed`, the first 100 in full.
+/// Without the column condition, a condition is a scene with two variants (and a level of validity,
+/// where they are shown at several), whichever of them is called A. Which is A in the table says
+/// settle_direction() in analysis/direction.h, never the order of rows. A session that says nothing
+/// of its state was completed. The file is read in pieces. Throws bad input that lists what is
+/// wrong as `file:line: column, value, what is allowed`, the first 100 in full.
 [[nodiscard]] AnswerTable read_trials(const std::filesystem::path& file);
 
 /// The same for text; `name` stands for it in messages.

@@ -24,10 +24,20 @@ bool names_condition(const std::string& list, const std::string& name) {
     return false;
 }
 
+/// Of two lists that both say something, whether every parameter that both name is the same. What
+/// was fitted has other values on purpose.
+bool has_the_same_parameters(const MeasuredSetting& row, const ShownImage& image) {
+    return row.fitted ||
+           std::all_of(row.parameters.begin(), row.parameters.end(), [&](const auto& parameter) {
+               const auto other = image.parameters.find(parameter.first);
+               return other == image.parameters.end() || other->second == parameter.second;
+           });
+}
+
 bool shows_the_same(const MeasuredSetting& row, const ShownImage& image) {
     return row.scene == image.scene && row.camera == image.camera &&
            row.validity == image.validity && row.technique == image.technique &&
-           row.samples == image.samples;
+           row.samples == image.samples && has_the_same_parameters(row, image);
 }
 
 /// How well a row that shows the same stands for the image; larger is better.
@@ -49,10 +59,13 @@ const MeasuredSetting* best_of(const Rows& rows, const ShownImage* image) {
 
 const ShownImage* image_of(const ReportInput& input, const ConditionVotes& condition, char side) {
     const std::string& variant = side == 'A' ? condition.variant_a : condition.variant_b;
+    // Stores of before names said what differs have technique and samples only.
+    const auto is_called = [&](const ShownImage& image) {
+        return image.variant == variant || image.variant.starts_with(variant + ' ');
+    };
     const auto found =
         std::find_if(input.images.begin(), input.images.end(), [&](const ShownImage& image) {
-            return image.condition == condition.id && image.side == side &&
-                   image.variant == variant &&
+            return image.condition == condition.id && image.side == side && is_called(image) &&
                    (condition.validity.empty() || image.validity == condition.validity);
         });
     return found == input.images.end() ? nullptr : &*found;

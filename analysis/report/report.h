@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,9 @@ struct ShownImage {
     std::string camera;
     std::string validity;
     std::string technique;
-    std::string variant;  ///< as in the votes: Blizzard24
+    std::string variant;  ///< as in the votes: Blizzard24, with what differs behind it
     int samples = 0;
+    std::map<std::string, double> parameters;  ///< every one of the technique's
     std::string denoise;
     std::filesystem::path file;  ///< empty: there is no image file
     std::string sha256;          ///< of the file when it was made

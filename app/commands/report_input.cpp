@@ -7,6 +7,7 @@
 #include "stimuli/embedded.h"
 #include "stimuli/manifest.h"
 #include "stimuli/stimulus.h"
+#include "stimuli/variant_names.h"
 
 namespace obscura::app {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using analysis::ShownImage;
 
-ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
+ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantNames& names,
+                 const fs::path& folder) {
     ShownImage result;
     result.condition = image.condition;
     result.side = image.side == "a" ? 'A' : 'B';
@@ -22,9 +24,9 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
     result.camera = image.camera;
     result.validity = image.validity;
     result.technique = image.technique;
-    result.variant =
-        renderer::TechniqueChoice{image.technique, image.samples, {}, {}}.variant_name();
+    result.variant = names.at({image.condition, image.side == "a" ? 'a' : 'b'});
     result.samples = image.samples;
+    result.parameters = image.parameters;
     result.denoise = image.denoise;
     result.file = folder / image.file;
     result.sha256 = image.sha256;
@@ -32,7 +34,8 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
 }
 
 /// As the study asks for it, where no file was made.
-ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulus) {
+ShownImage planned(const stimuli::Study& study, const stimuli::VariantNames& names,
+                   const stimuli::Stimulus& stimulus) {
     const stimuli::StudyScene& scene = study.scene_of(*stimulus.condition);
     const renderer::TechniqueChoice& choice = stimulus.choice();
     ShownImage result;
@@ -42,8 +45,11 @@ ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulu
     result.camera = scene.camera;
     result.validity = std::string(to_string(scene.validity));
     result.technique = choice.technique;
-    result.variant = choice.variant_name();
+    result.variant = names.at({result.condition, stimulus.side});
     result.samples = choice.samples;
+    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
+        result.parameters[parameter.name] = choice.value_of(parameter);
+    }
     result.denoise = choice.denoise;
     return result;
 }
@@ -57,16 +63,17 @@ void add_images(analysis::ReportInput& input, const ReportSources& sources,
     const fs::path folder = sources.data / "stimuli" / name;
     const fs::path manifest = folder / "manifest.json";
     if (fs::exists(manifest)) {
-        for (const auto& image : stimuli::load_manifest(manifest).images) {
-            input.images.push_back(shown(image, folder));
-        }
+        const stimuli::Manifest made = stimuli::load_manifest(manifest);
+        const stimuli::VariantNames names = stimuli::variant_names(made);
+        for (const auto& image : made.images) input.images.push_back(shown(image, names, folder));
         return;
     }
     input.images_unknown =
         fmt::format("there is no {}; obscura render makes it", manifest.string());
     if (!sources.study) return;
+    const stimuli::VariantNames names = stimuli::variant_names(*sources.study);
     for (const auto& stimulus : stimuli::stimuli_of(*sources.study)) {
-        input.images.push_back(planned(*sources.study, stimulus));
+        input.images.push_back(planned(*sources.study, names, stimulus));
     }
 }
 
