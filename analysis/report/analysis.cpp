@@ -15,6 +15,7 @@
 #include "analysis/report/validity.h"
 #include "analysis/report/variant_scales.h"
 #include "analysis/report/verdicts.h"
+#include "analysis/report/words.h"
 #include "analysis/statistics/benjamini_hochberg.h"
 #include "analysis/statistics/exact_binomial.h"
 #include "analysis/statistics/holm.h"
@@ -55,7 +56,7 @@ bool is_significant(const Possible<ChiSquareTest>& test) {
 std::string sentence_of(const std::vector<ConditionResult>& conditions) {
     std::vector<std::string> alone;
     std::vector<std::string> corrected;
-    std::size_t tests = 0;
+    std::int64_t tests = 0;
     for (const ConditionResult& result : conditions) {
         if (!result.p_holm.has_value()) continue;
         ++tests;
@@ -66,9 +67,9 @@ std::string sentence_of(const std::vector<ConditionResult>& conditions) {
         return ids.empty() ? std::string("none") : fmt::format("{}", fmt::join(ids, ", "));
     };
     return fmt::format(
-        "Significant at {:g} each for itself: {}. Still so after Holm's correction for {} tests: "
+        "Significant at {:g} each for itself: {}. Still so after Holm's correction for {}: "
         "{}.",
-        kSignificance, list(alone), tests, list(corrected));
+        kSignificance, list(alone), counted(tests, "test"), list(corrected));
 }
 
 std::vector<OrderStratum> order_strata(const Tally& tally) {

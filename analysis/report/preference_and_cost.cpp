@@ -57,20 +57,6 @@ const MeasuredSetting* best_of(const Rows& rows, const ShownImage* image) {
     return best;
 }
 
-const ShownImage* image_of(const ReportInput& input, const ConditionVotes& condition, char side) {
-    const std::string& variant = side == 'A' ? condition.variant_a : condition.variant_b;
-    // Stores of before names said what differs have technique and samples only.
-    const auto is_called = [&](const ShownImage& image) {
-        return image.variant == variant || image.variant.starts_with(variant + ' ');
-    };
-    const auto found =
-        std::find_if(input.images.begin(), input.images.end(), [&](const ShownImage& image) {
-            return image.condition == condition.id && image.side == side && is_called(image) &&
-                   (condition.validity.empty() || image.validity == condition.validity);
-        });
-    return found == input.images.end() ? nullptr : &*found;
-}
-
 Possible<double> difference(const Possible<double>& b, const Possible<double>& a) {
     if (!a.has_value()) return Possible<double>::none("A: " + a.reason);
     if (!b.has_value()) return Possible<double>::none("B: " + b.reason);
@@ -81,7 +67,7 @@ std::string missing(const ReportInput& input, const ConditionVotes& condition, c
     std::string text = fmt::format("{}:", condition.id);
     for (const char side : {'A', 'B'}) {
         const std::string& variant = side == 'A' ? condition.variant_a : condition.variant_b;
-        const ShownImage* image = image_of(input, condition, side);
+        const ShownImage* image = shown_image(input, condition, side);
         if (image == nullptr) {
             text += fmt::format(" it is not known how {} ({}) was rendered;", side, variant);
         } else if (best_of(rows, image) == nullptr) {
@@ -109,8 +95,8 @@ std::vector<Rows> rows_by_device(const MeasurementTable& table) {
 std::vector<MeasuredPair> pairs_of(const ReportInput& input, const Rows& rows) {
     std::vector<MeasuredPair> pairs;
     for (const ConditionResult& result : input.analysis.conditions) {
-        const MeasuredSetting* a = best_of(rows, image_of(input, result.condition, 'A'));
-        const MeasuredSetting* b = best_of(rows, image_of(input, result.condition, 'B'));
+        const MeasuredSetting* a = best_of(rows, shown_image(input, result.condition, 'A'));
+        const MeasuredSetting* b = best_of(rows, shown_image(input, result.condition, 'B'));
         if (a == nullptr || b == nullptr) continue;
         pairs.push_back({&result, *a, *b, difference(b->rmse, a->rmse),
                          difference(b->ms_median, a->ms_median)});

@@ -48,6 +48,11 @@ struct ReportInput {
     std::string measurement_unknown;  ///< why there is none
 };
 
+/// The image that shows the condition's variant of that side ('A' or 'B'), or nullptr. Names of
+/// before they said what differs, technique and samples only, are known too.
+[[nodiscard]] const ShownImage* shown_image(const ReportInput& input,
+                                            const ConditionVotes& condition, char side);
+
 /// A file of a report, not yet written.
 struct ReportFile {
     std::string name;  ///< relative to the report's folder; may begin with a folder

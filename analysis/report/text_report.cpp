@@ -69,16 +69,18 @@ std::string heading(const Tally& tally) {
         text += "SIMULATED DATA: these answers were made by simulated observers, not by people.\n";
     }
     const char* who = tally.kind == Kind::kSimulated ? "simulated observers" : "participants";
+    const std::string conditions =
+        counted(static_cast<std::int64_t>(tally.conditions.size()), "condition");
     if (tally.n_participants.has_value()) {
         const std::string_view all_of_them = who;
         text +=
-            fmt::format("{} {}, {} conditions\n", *tally.n_participants,
+            fmt::format("{} {}, {}\n", *tally.n_participants,
                         *tally.n_participants == 1 ? all_of_them.substr(0, all_of_them.size() - 1)
                                                    : all_of_them,
-                        tally.conditions.size());
+                        conditions);
     } else {
-        text += fmt::format("Number of {} not known ({}), {} conditions\n", who,
-                            tally.n_participants.reason, tally.conditions.size());
+        text += fmt::format("Number of {} not known ({}), {}\n", who, tally.n_participants.reason,
+                            conditions);
     }
     return text;
 }
@@ -116,14 +118,14 @@ std::string order_bias_line(const Analysis& analysis) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
     const OrderBiasTest& test = *bias.logistic;
-    return text +
-           fmt::format(
-               " Logistic regression over {} conditions: of two equally liked images the second is "
-               "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
-               "likelihood "
-               "ratio {:.4f}, df 1, p {}.\n",
-               test.conditions, 100.0 * test.second_share, test.order_term, test.standard_error,
-               test.likelihood_ratio.statistic, p_text(test.likelihood_ratio.p));
+    return text + fmt::format(
+                      " Logistic regression over {}: of two equally liked images the second is "
+                      "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
+                      "likelihood "
+                      "ratio {:.4f}, df 1, p {}.\n",
+                      counted(test.conditions, "condition"), 100.0 * test.second_share,
+                      test.order_term, test.standard_error, test.likelihood_ratio.statistic,
+                      p_text(test.likelihood_ratio.p));
 }
 
 std::string bayes_factor_text(const Possible<BayesFactor>& factor) {

@@ -53,9 +53,9 @@ std::string needed_words(const Analysis& analysis, const std::string& name) {
     for (const RunPower::Needed& needed : analysis.power->hypotheses) {
         if (needed.name != name || !needed.exact.has_value()) continue;
         return fmt::format(
-            " To detect the observed share with {:g} % power, {} participants with "
+            " To detect the observed share with {:g} % power, {} with "
             "one vote each would have been needed.",
-            100.0 * kAskedPower, *needed.exact);
+            100.0 * kAskedPower, counted(*needed.exact, "participant"));
     }
     return "";
 }

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -16,6 +17,8 @@
 #include "analysis/report/analysis.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
+#include "tests/analysis/records_for_test.h"
+#include "tests/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -276,6 +279,35 @@ TEST(Direction, ASceneAtTwoLevelsIsTwoConditions) {
     EXPECT_EQ(tally.conditions[2].id, "yard: none - blizzard");
     EXPECT_EQ(tally.conditions[0].votes.b, 1);
     EXPECT_EQ(tally.conditions[0].view, "hall");
+}
+
+TEST(Direction, OfOneStudyFileShortAndLongNamesOfAVariantAreOne) {
+    const auto tally_with = [](const std::string& sha256, const std::string& later) {
+        const tests::TemporaryFolder folder;
+        const std::string url = "sqlite3://" + (folder / "r.sqlite").string();
+        Store store(url, Store::Access::kReadWrite);
+        for (int number = 0; number < 2; ++number) {
+            SessionRecord session = tests::a_session(number);
+            session.condition_count = 1;
+            if (number == 1) session.study_sha256 = sha256;
+            store.begin_session(tests::a_participant(number), session);
+            TrialRecord trial = tests::a_trial(number, 0);
+            trial.response_first = false;
+            trial.is_A_selected = false;
+            if (number == 1) trial.condition_B = later;
+            store.add_trial(trial);
+            store.complete_session(session.session_id, tests::kUtc);
+        }
+        return tally_of(read_answers(store, url), "", Kind::kParticipant);
+    };
+    const std::string same(64, 'a');
+    const Tally tally = tally_with(same, "Blizzard24 R 0.8");
+    ASSERT_EQ(tally.conditions.size(), 1U);
+    EXPECT_EQ(tally.conditions[0].variant_b, "Blizzard24 R 0.8");
+    EXPECT_EQ(tally.conditions[0].view, "atrium");
+    EXPECT_EQ(tally.conditions[0].votes.b, 2);
+    EXPECT_THROW((void)tally_with(std::string(64, 'b'), "Blizzard24 R 0.8"), base::Error);
+    EXPECT_THROW((void)tally_with(same, "Blizzard240"), base::Error);
 }
 
 TEST(Pooling, AddsUpOnlyWhatMeansTheSameInEachCondition) {
