@@ -54,14 +54,12 @@ std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
         return fmt::format("{}: no votes, so nothing can be said.", result.name);
     }
     const Votes& votes = result.pooled.votes;
-    const char* verdict = !is_significant(test) ? "no significant difference from an equal split"
-                          : votes.b > votes.a   ? "B was preferred"
-                                                : "A was preferred";
     return fmt::format(
         "{} ({}): together {} votes for A and {} for B ({:.1f} % B), chi-square {:.4g}, df {}, p "
-        "{}: {}. {}. {}",
+        "{} "
+        "where all votes are taken as independent. {}. {}",
         result.name, fmt::join(result.conditions, ", "), votes.a, votes.b,
-        100.0 * *result.pooled.share_b, test->statistic, test->df, p_text(test->p), verdict,
+        100.0 * *result.pooled.share_b, test->statistic, test->df, p_text(test->p),
         capital(result.pooling->words), alone_words(result, tests));
 }
 

@@ -163,7 +163,7 @@ std::string sentence_of(const Comparison& comparison) {
     const Possible<PValue> p = p_of(comparison);
     if (!p.has_value()) return test_words(comparison);
     return fmt::format("{}: {}", test_words(comparison),
-                       p->p < kSignificance ? "the levels differ"
+                       p->p < kSignificance ? "the levels differ, taken for itself"
                                             : "no significant difference between the levels");
 }
 
