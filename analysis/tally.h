@@ -71,6 +71,7 @@ struct Tally {
     bool asks_validity = false;
     /// The rule that all sessions carry.
     Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
+    std::vector<std::string> notes;  ///< what the reader of a file passed over or took for granted
 };
 
 /// Votes of the completed sessions of one kind (participant or simulated) of one study; practice,

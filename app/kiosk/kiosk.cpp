@@ -44,6 +44,16 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
         study.name, fmt::join(alike, "\n  "));
 }
 
+[[nodiscard]] bool is_file(const std::string& store_url) {
+    return store_url.starts_with("sqlite3://");
+}
+
+[[nodiscard]] std::string saved_note(const std::string& store_url) {
+    if (!is_file(store_url)) return "All answers are saved.";
+    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
+                       std::filesystem::path(store_url).filename().string());
+}
+
 /// One kiosk in its window.
 class Kiosk {
   public:
@@ -65,6 +75,9 @@ class Kiosk {
         while (run_new_session() == End::kDone) {
         }
     }
+
+    /// Rows that the operator gave up.
+    [[nodiscard]] std::size_t unsaved() const { return unsaved_; }
 
   private:
     /// What `work` gives; nothing: the store failed and the operator left. A full-screen kiosk
@@ -112,7 +125,9 @@ class Kiosk {
     End play(Procedure& procedure, std::vector<Row> rows) {
         Journal journal = journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
-        return SessionRunner(stage_, procedure, journal).run();
+        const End end = SessionRunner(stage_, procedure, journal).run();
+        unsaved_ += journal.waiting().size();
+        return end;
     }
 
     /// Asks the operator about a session that was cut off, and does what was chosen.
@@ -174,6 +189,7 @@ class Kiosk {
     analysis::Store& store_;
     Stage& stage_;
     Machine machine_;
+    std::size_t unsaved_ = 0;
 };
 
 }  // namespace
@@ -190,15 +206,26 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
     std::vector<std::string> texts = fixed_texts();
-    texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
+    const std::string note = saved_note(options.store_url);
+    texts.insert(texts.end(), {study.question, study.instructions, study.thanks, note});
     Ui ui(window, texts, study.grey_level);
-    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
+    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level), note};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"
                                    : "presenting does not wait for the refresh");
     spdlog::info("answers go to {}", options.store_url);
+    if (is_file(options.store_url)) {
+        spdlog::info("that one file has every answer whenever a page is shown: copy it as it is");
+    }
     spdlog::info("the operator leaves with Ctrl+Shift+Q");
-    Kiosk(study, manifest, store, stage).run();
+    Kiosk kiosk(study, manifest, store, stage);
+    kiosk.run();
+    if (kiosk.unsaved() > 0) {
+        throw base::failure(
+            "{} could not be saved in {}: what was answered stands above",
+            kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
+            options.store_url);
+    }
 }
 
 }  // namespace obscura::app::kiosk

@@ -88,6 +88,7 @@ struct Moment {
 struct BeginSession {
     analysis::ParticipantRecord participant;
     analysis::SessionRecord session;
+    std::vector<analysis::EventRecord> events;  ///< in the same transaction
 };
 struct CompleteSession {
     std::string session_id;

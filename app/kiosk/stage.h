@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "app/kiosk/pace.h"
 #include "app/kiosk/screens/screens.h"
@@ -21,6 +22,7 @@ struct Stage {
     const stimuli::Study& study;
     std::filesystem::path folder;  ///< of the study's images
     Pace pace;
+    std::string saved_note;  ///< what the last page says of where the answers are
 };
 
 /// Ctrl+Shift+Q, the operator's way out.

@@ -41,7 +41,9 @@ struct FormDraft {
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
                                                    int pair, int count);
 
-[[nodiscard]] std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study);
+/// `saved_note` says that the answers are saved, and where.
+[[nodiscard]] std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study,
+                                                 const std::string& saved_note);
 
 [[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
 

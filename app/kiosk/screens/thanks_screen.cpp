@@ -5,7 +5,8 @@
 
 namespace obscura::app::kiosk {
 
-std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study) {
+std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study,
+                                   const std::string& saved_note) {
     std::optional<Event> event;
     card("##thanks", 30.0F, [&] {
         heading(fonts, "Thank you");
@@ -14,7 +15,7 @@ std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& stu
                 ? "That was the last pair. Please tell the person in charge that you are done."
                 : study.thanks);
         gap(0.2F);
-        hint(fonts, "All answers are saved.");
+        hint(fonts, saved_note);
         gap();
         if (primary_button("Next participant")) event = NextParticipant{};
     });
