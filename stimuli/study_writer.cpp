@@ -6,33 +6,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
-
-/// As TOML writes a float: with a point or an exponent, exactly.
-std::string number(double value) {
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value);
-    std::string text(digits, end.ptr);
-    if (text.find_first_of(".en") == std::string::npos) text += ".0";
-    return text;
-}
-
-std::string inline_table(const renderer::TechniqueChoice& choice) {
-    std::string text = fmt::format("{{ technique = \"{}\"", choice.technique);
-    const renderer::Technique* technique = renderer::find_technique(choice.technique);
-    if (technique != nullptr && technique->samples.high > 0) {
-        text += fmt::format(", samples = {}, denoise = \"{}\"", choice.samples, choice.denoise);
-    }
-    for (const auto& [name, value] : choice.parameters) {
-        text += fmt::format(", {} = {}", name, number(value));
-    }
-    return text + " }";
-}
 
 /// Where a line and column of the text are; both count from 1. Columns count code points.
 std::size_t offset_of(std::string_view text, const toml::source_position& position) {
@@ -83,7 +62,7 @@ std::string with_variants(std::string_view text, const std::string& name,
                                   change.condition, change.side);
         }
         replacements.push_back({offset_of(text, side->source().begin),
-                                offset_of(text, side->source().end), inline_table(change.choice)});
+                                offset_of(text, side->source().end), to_toml(change.choice)});
     }
     // From the end, so that what comes before keeps its place.
     std::sort(replacements.begin(), replacements.end(),

@@ -9,7 +9,7 @@ namespace {
 
 class Sides {
   public:
-    void add(const std::string& condition, char side, const renderer::TechniqueChoice& choice) {
+    void add(const std::string& condition, char side, const renderer::Variant& choice) {
         keys_.emplace_back(condition, side);
         choices_.push_back(choice);
     }
@@ -22,7 +22,7 @@ class Sides {
 
   private:
     std::vector<std::pair<std::string, char>> keys_;
-    std::vector<renderer::TechniqueChoice> choices_;
+    std::vector<renderer::Variant> choices_;
 };
 
 }  // namespace
@@ -39,8 +39,7 @@ VariantNames variant_names(const Study& study) {
 VariantNames variant_names(const Manifest& manifest) {
     Sides sides;
     for (const ManifestImage& image : manifest.images) {
-        sides.add(image.condition, image.side == "a" ? 'a' : 'b',
-                  {image.technique, image.samples, image.parameters, image.denoise});
+        sides.add(image.condition, image.side == "a" ? 'a' : 'b', image.variant);
     }
     return sides.names();
 }

@@ -23,8 +23,7 @@ class Techniques : public testing::TestWithParam<std::string> {
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, lighting, camera, choice,
-                                plan_frame(needs_of(scene, lighting), choice, width, height));
+        return renderer_.render({gpu, lighting, camera}, choice, width, height);
     }
 
     /// The accessibility in the middle of the image, where no sample leaves it.
@@ -130,8 +129,7 @@ TEST_P(Computing, TheSameFrameTwiceIsTheSameToTheByte) {
     const Frame first = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     const Frame second = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     for (const PlannedTarget& planned : first.plan().targets) {
-        EXPECT_EQ(first.read_bytes(planned.target), second.read_bytes(planned.target))
-            << to_string(planned.target);
+        EXPECT_EQ(first.read_bytes(planned), second.read_bytes(planned)) << planned.name;
     }
 }
 

@@ -7,20 +7,20 @@
 #include <algorithm>
 #include <set>
 
+#include "renderer/technique/technique.h"
 #include "renderer/technique/variant_names.h"
 #include "stimuli/study_reader.h"
-#include "stimuli/variant_reader.h"
 #include "stimuli/view_names.h"
 #include "tests/study_fixture.h"
 
 namespace obscura::stimuli {
 namespace {
 
-using renderer::TechniqueChoice;
+using renderer::Variant;
 using testing::ElementsAre;
 
-TechniqueChoice blizzard(int samples, std::map<std::string, double> parameters,
-                         const std::string& denoise = "separable") {
+Variant blizzard(int samples, std::map<std::string, double> parameters,
+                 const std::string& denoise = "separable") {
     return {"blizzard", samples, std::move(parameters), denoise};
 }
 
@@ -55,7 +55,7 @@ TEST(VariantNames, AreTheSameForTheSameSettingsWhetherTheStandardIsNamedOrNot) {
 }
 
 TEST(VariantNames, DifferWheneverAnySettingDoes) {
-    std::vector<TechniqueChoice> choices;
+    std::vector<Variant> choices;
     for (const renderer::Technique& technique : renderer::techniques()) {
         for (const int samples : {technique.samples.low, technique.samples.high}) {
             for (const char* denoise : {"none", "separable"}) {
@@ -72,7 +72,7 @@ TEST(VariantNames, DifferWheneverAnySettingDoes) {
     const auto names = renderer::variant_names(choices);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            EXPECT_EQ(names[i] == names[k], same_variant(choices[i], choices[k]))
+            EXPECT_EQ(names[i] == names[k], choices[i] == choices[k])
                 << names[i] << ", " << names[k];
         }
     }

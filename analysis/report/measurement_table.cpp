@@ -136,6 +136,9 @@ MeasuredSetting row_of(Reader& reader) {
     row.technique = reader.text("technique");
     row.samples = reader.whole("samples");
     row.blur = reader.text("blur");
+    if (const std::string format = reader.text("depth_format"); !format.empty()) {
+        row.depth_format = format;
+    }
     if (const auto scale = reader.number("ao_scale"); scale.has_value()) row.ao_scale = *scale;
     row.width = reader.whole("width");
     row.height = reader.whole("height");

@@ -43,8 +43,8 @@ bool shows_the_same(const MeasuredSetting& row, const ShownImage& image) {
 /// How well a row that shows the same stands for the image; larger is better.
 auto fitness(const MeasuredSetting& row, const ShownImage& image) {
     return std::tuple(names_condition(row.published, image.condition), !row.fitted,
-                      row.blur == image.denoise, row.ao_scale == 1.0, row.rmse.has_value(),
-                      row.ms_median.has_value());
+                      row.blur == image.denoise, row.depth_format == image.depth_format,
+                      row.ao_scale == 1.0, row.rmse.has_value(), row.ms_median.has_value());
 }
 
 const MeasuredSetting* best_of(const Rows& rows, const ShownImage* image) {

@@ -26,6 +26,7 @@ struct ShownImage {
     int samples = 0;
     std::map<std::string, double> parameters;  ///< every one of the technique's
     std::string denoise;
+    std::string depth_format = "r32f";
     std::filesystem::path file;  ///< empty: there is no image file
     std::string sha256;          ///< of the file when it was made
 };

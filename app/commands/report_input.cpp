@@ -15,6 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 using analysis::ShownImage;
 
+void put_variant(ShownImage& shown, const renderer::Variant& variant, const std::string& name) {
+    shown.technique = variant.technique;
+    shown.variant = name;
+    shown.samples = variant.samples;
+    shown.parameters = variant.all_parameters();
+    shown.denoise = variant.denoise;
+    shown.depth_format = variant.depth_format;
+}
+
 ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantNames& names,
                  const fs::path& folder) {
     ShownImage result;
@@ -23,11 +32,7 @@ ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantName
     result.scene = image.source;
     result.camera = image.camera;
     result.validity = image.validity;
-    result.technique = image.technique;
-    result.variant = names.at({image.condition, image.side == "a" ? 'a' : 'b'});
-    result.samples = image.samples;
-    result.parameters = image.parameters;
-    result.denoise = image.denoise;
+    put_variant(result, image.variant, names.at({image.condition, image.side == "a" ? 'a' : 'b'}));
     result.file = folder / image.file;
     result.sha256 = image.sha256;
     return result;
@@ -37,20 +42,13 @@ ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantName
 ShownImage planned(const stimuli::Study& study, const stimuli::VariantNames& names,
                    const stimuli::Stimulus& stimulus) {
     const stimuli::StudyScene& scene = study.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     ShownImage result;
     result.condition = stimulus.condition->id;
     result.side = stimulus.side == 'a' ? 'A' : 'B';
     result.scene = scene.source;
     result.camera = scene.camera;
     result.validity = std::string(to_string(scene.validity));
-    result.technique = choice.technique;
-    result.variant = names.at({result.condition, stimulus.side});
-    result.samples = choice.samples;
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        result.parameters[parameter.name] = choice.value_of(parameter);
-    }
-    result.denoise = choice.denoise;
+    put_variant(result, stimulus.choice(), names.at({result.condition, stimulus.side}));
     return result;
 }
 

@@ -59,8 +59,8 @@ base::ExitCode inspect(const SceneOptions& options) {
         throw base::bad_input("--technique: there is no technique \"{}\"; there are {}",
                               options.technique, known);
     }
-    renderer::TechniqueChoice choice{options.technique, technique->samples.standard, {}, "none"};
-    if (!technique->shader.empty()) choice.denoise = "separable";
+    renderer::Variant choice = renderer::standard_variant(*technique);
+    choice.denoise = renderer::standard_denoise(*technique);
     const auto [width, height] = parse_size(options.size);
     fmt::print("{}", stimuli::inspection_of(open(options), choice, width, height));
     return base::ExitCode::kDone;

@@ -58,7 +58,7 @@ double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
             stage.truth(at, radius_m, effort.width, effort.height, effort.rays);
         const renderer::Frame frame = stage.render_plainly(at, choice, effort.width, effort.height);
         const auto error = analysis::accessibility_error(
-            final_accessibility(frame), truth.accessibility, surface_mask(frame, truth));
+            frame.read_accessibility(), truth.accessibility, surface_mask(frame, truth));
         if (!error.has_value()) {
             throw base::bad_input("scene \"{}\", camera \"{}\": {}", view.scene->id, camera,
                                   error.reason);

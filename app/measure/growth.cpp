@@ -60,7 +60,7 @@ std::vector<const renderer::Technique*> growing(const MeasureRequest& request) {
     std::vector<const renderer::Technique*> list;
     for (const std::string& name : measured_techniques(request)) {
         const renderer::Technique* technique = renderer::find_technique(name);
-        if (!technique->shader.empty()) list.push_back(technique);
+        if (technique->recipe != nullptr) list.push_back(technique);
     }
     return list;
 }

@@ -37,11 +37,9 @@ struct SweptView {
 /// The share of width and height at each side that the interior error leaves out.
 inline constexpr double kInteriorMargin = 0.1;
 
-/// 1 where the truth and, if the frame has a depth buffer, the frame too show a surface.
+/// 1 where the truth and, if the frame has a depth buffer of the image's size, the frame too show a
+/// surface; where blended surfaces occlude, the same one.
 [[nodiscard]] std::vector<std::uint8_t> surface_mask(const renderer::Frame& frame,
                                                      const renderer::ReferenceImage& truth);
-
-/// What the composite uses: the technique's buffer after its filter, or 1 everywhere.
-[[nodiscard]] std::vector<float> final_accessibility(const renderer::Frame& frame);
 
 }  // namespace obscura::app

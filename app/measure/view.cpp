@@ -13,7 +13,6 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
 #include "stimuli/scenes/open_scene.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -65,10 +64,10 @@ double radius_on(const stimuli::Study& study, const std::string& source) {
 using Source = std::shared_ptr<const stimuli::SceneSource>;
 
 View make_view(Source scene, const std::string& camera, stimuli::Validity validity,
-               const stimuli::Study& study) {
+               const stimuli::Study& study, const renderer::FrameOptions& options) {
     const double radius_m = radius_on(study, scene->source);
     std::vector<ShownSetting> shown = shown_on(study, scene->source, camera, &validity);
-    return {std::move(scene), camera, validity, radius_m, std::move(shown)};
+    return {std::move(scene), camera, validity, radius_m, options, std::move(shown)};
 }
 
 /// A built-in scene as it is, built when it is first looked at; nothing for another source.
@@ -149,12 +148,6 @@ std::vector<std::string> filters_of(const MeasureRequest& request) {
     return filters;
 }
 
-bool is_among(const std::vector<TechniqueChoice>& list, const TechniqueChoice& choice) {
-    return std::any_of(list.begin(), list.end(), [&](const TechniqueChoice& held) {
-        return stimuli::same_variant(held, choice) && held.depth_format == choice.depth_format;
-    });
-}
-
 }  // namespace
 
 std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
@@ -173,13 +166,14 @@ std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& 
             if (!sources.contains(key)) {
                 sources.emplace(key, scene_of_study(catalogue, study, scene));
             }
-            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study));
+            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study,
+                                      study.frame_options()));
         }
     }
     for (const std::string& id : request.scenes) {
         const Source scene = named_scene(catalogue, id);
         for (const std::string& camera : scene->cameras) {
-            views.push_back(make_view(scene, camera, scene->levels.front(), study));
+            views.push_back(make_view(scene, camera, scene->levels.front(), study, {}));
         }
     }
     return views;
@@ -223,7 +217,9 @@ std::vector<TechniqueChoice> settings_of(const MeasureRequest& request, const Vi
                                          const stimuli::Study& study) {
     std::vector<TechniqueChoice> settings;
     const auto add = [&settings](const TechniqueChoice& choice) {
-        if (!is_among(settings, choice)) settings.push_back(choice);
+        if (std::find(settings.begin(), settings.end(), choice) == settings.end()) {
+            settings.push_back(choice);
+        }
     };
     const std::vector<int> samples = !request.samples.empty() ? request.samples
                                      : request.quick          ? kQuickSamples
@@ -246,7 +242,8 @@ std::vector<TechniqueChoice> settings_of(const MeasureRequest& request, const Vi
             }
         }
         // Half-float depth, on what the study shows or would show.
-        if (!request.quick && request.samples.empty() && technique.reads_depth) {
+        if (!request.quick && request.samples.empty() &&
+            technique.standard_recipe().reads(renderer::Target::kDepth)) {
             choice = published_choice(view, study, name);
             choice.depth_format = "r16f";
             add(choice);

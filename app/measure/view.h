@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/measure/request.h"
+#include "renderer/frame/plan.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/scenes/scene_source.h"
@@ -26,6 +27,7 @@ struct View {
     std::string camera;
     stimuli::Validity validity = stimuli::Validity::kLow;
     double radius_m = 0.5;  ///< R of the truth for techniques that have no radius of their own
+    renderer::FrameOptions options;  ///< as the study shows it
     std::vector<ShownSetting> shown;
 };
 

@@ -6,16 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/recipe/recipe.h"
+
 namespace obscura::renderer {
 
-/// One way to smooth the accessibility buffer.
+/// One way to smooth the accessibility buffer. Its recipe reads `accessibility` and writes
+/// `denoised`; without steps nothing is smoothed.
 struct Denoise {
     std::string name;  ///< in files and on the command line
     std::string citation;
-    std::string shader;  ///< file in renderer/denoise/; empty: no pass
-    int passes = 0;
-    bool reads_depth = false;
-    int fetches = 0;  ///< texture reads of one pixel, over all passes, at most
+    Recipe recipe;
 };
 
 /// All denoise filters.

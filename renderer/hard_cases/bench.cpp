@@ -108,17 +108,16 @@ Shot Bench::shoot(const Scene& scene, const Camera& camera, const TechniqueChoic
     }
     const Lighting lighting;
     const GpuScene gpu(scene);
-    const FramePlan plan = plan_frame(needs_of(scene, lighting), choice, width, height);
-    const Frame frame = renderer_.render(gpu, lighting, camera, choice, plan);
+    const Frame frame = renderer_.render({gpu, lighting, camera}, choice, width, height);
     Shot shot{width,
               height,
               frame.read_floats(Target::kDepth),
               frame.read_floats(Target::kAccessibility),
-              frame.read_floats(plan.final_accessibility()),
+              frame.read_floats(frame.plan().final_accessibility()),
               0.0};
     for (const PassTime& time : frame.times) {
-        if (time.pass != Pass::kAccessibility) continue;
-        shot.accessibility_ms =
+        if (time.phase != Phase::kTechnique) continue;
+        shot.accessibility_ms +=
             is_software_renderer() ? time.milliseconds : time.query_milliseconds;
     }
     return shot;

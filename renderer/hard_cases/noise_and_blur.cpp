@@ -67,7 +67,7 @@ void run(Bench& bench, const std::string& technique) {
     if (technique == kReference) return;  // it has neither tile nor filter
     const int size = bench.options().size_px;
     for (const Denoise& filter : denoise_filters()) {
-        if (filter.passes == 0) continue;
+        if (filter.recipe.steps.empty()) continue;
         TechniqueChoice choice = Bench::settings(technique, 0.4);
         choice.denoise = filter.name;
         const Shot corner =
@@ -77,10 +77,10 @@ void run(Bench& bench, const std::string& technique) {
         const Shot edge =
             bench.shoot(plate_before_dark_wall(), shapes::camera(5.0F), choice, size, size);
         const double plate = facing_wall_value(technique);
-        bench.expect(
-            technique, filter.name + ": smallest A on a plate, 1 pixel off its edge", plate,
-            std::min(smallest_on_plate(edge), plate), 0.01,
-            filter.reads_depth ? not_white_by_nature(technique) : "the filter knows no edges");
+        bench.expect(technique, filter.name + ": smallest A on a plate, 1 pixel off its edge",
+                     plate, std::min(smallest_on_plate(edge), plate), 0.01,
+                     filter.recipe.reads(Target::kDepth) ? not_white_by_nature(technique)
+                                                         : "the filter knows no edges");
     }
 }
 

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <map>
 
+#include "renderer/technique/technique.h"
+
 namespace obscura::renderer {
 namespace {
 
 /// Everything that can differ between two choices with the same technique and samples, as words, in
 /// the order in which it is named.
-std::vector<std::string> settings_of(const TechniqueChoice& choice) {
+std::vector<std::string> settings_of(const Variant& choice) {
     std::vector<std::string> settings;
     if (const Technique* technique = find_technique(choice.technique)) {
         const auto add = [&](const Parameter& parameter, const std::string& name) {
@@ -25,7 +27,9 @@ std::vector<std::string> settings_of(const TechniqueChoice& choice) {
         }
     }
     settings.push_back("denoise " + choice.denoise);
-    settings.push_back("depth " + choice.depth_format);
+    for (const VariantOption& option : variant_options()) {
+        settings.push_back(option.name + ' ' + choice.*option.value);
+    }
     return settings;
 }
 
@@ -34,7 +38,7 @@ using Group = std::vector<std::size_t>;
 
 class Namer {
   public:
-    explicit Namer(const std::vector<TechniqueChoice>& choices) {
+    explicit Namer(const std::vector<Variant>& choices) {
         std::map<std::string, Group> alike;
         for (std::size_t i = 0; i < choices.size(); ++i) {
             names_.push_back(choices[i].variant_name());
@@ -68,7 +72,7 @@ class Namer {
 
 }  // namespace
 
-std::vector<std::string> variant_names(const std::vector<TechniqueChoice>& choices) {
+std::vector<std::string> variant_names(const std::vector<Variant>& choices) {
     return Namer(choices).take();
 }
 

@@ -161,13 +161,15 @@ std::string level_text(const OpenedScene& scene, Validity level,
         renderer::plan_frame(renderer::needs_of(*scene.scene, light), choice, width, height);
     std::string text = fmt::format("level {}: {}\n", to_string(level), light_text(light));
     std::vector<std::string> passes;
-    for (const renderer::PlannedPass& pass : plan.passes) passes.push_back(to_string(pass.pass));
+    for (const renderer::PlannedPass& pass : plan.passes) {
+        if (passes.empty() || passes.back() != pass.name) passes.push_back(pass.name);
+    }
     text +=
         fmt::format("  passes: {}\n  buffers of a {}x{} image with {}: {} bytes\n",
                     fmt::join(passes, ", "), width, height, choice.variant_name(), plan.bytes());
     for (const renderer::PlannedTarget& target : plan.targets) {
-        text += fmt::format("    {:16} {:10} bytes  {} {}x{}{}\n", to_string(target.target),
-                            target.bytes, target.format, target.width, target.height,
+        text += fmt::format("    {:16} {:10} bytes  {} {}x{}{}\n", target.name, target.bytes,
+                            target.format, target.width, target.height,
                             target.layers > 1 ? fmt::format("x{}", target.layers) : "");
     }
     for (const renderer::LeftOut& left_out : plan.left_out) {
