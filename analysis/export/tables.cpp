@@ -104,7 +104,8 @@ constexpr const char* kExpected =
     "Variant that an attentive observer picks; empty: no attention check";
 constexpr const char* kRepeats =
     "Condition whose answer this one repeats, which is then no vote; empty: none";
-constexpr const char* kVariant = "Technique and samples of variant ";
+constexpr const char* kVariant =
+    "Technique and samples, with what differs where two would have one name, of variant ";
 
 }  // namespace
 

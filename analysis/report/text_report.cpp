@@ -8,6 +8,7 @@
 #include "analysis/report/analysis.h"
 #include "analysis/report/text_layout.h"
 #include "analysis/report/text_sections.h"
+#include "analysis/report/words.h"
 
 namespace obscura::analysis {
 namespace {
@@ -67,16 +68,18 @@ std::string heading(const Tally& tally) {
         text += "SIMULATED DATA: these answers were made by simulated observers, not by people.\n";
     }
     const char* who = tally.kind == Kind::kSimulated ? "simulated observers" : "participants";
+    const std::string conditions =
+        counted(static_cast<std::int64_t>(tally.conditions.size()), "condition");
     if (tally.n_participants.has_value()) {
         const std::string_view all_of_them = who;
         text +=
-            fmt::format("{} {}, {} conditions\n", *tally.n_participants,
+            fmt::format("{} {}, {}\n", *tally.n_participants,
                         *tally.n_participants == 1 ? all_of_them.substr(0, all_of_them.size() - 1)
                                                    : all_of_them,
-                        tally.conditions.size());
+                        conditions);
     } else {
-        text += fmt::format("Number of {} not known ({}), {} conditions\n", who,
-                            tally.n_participants.reason, tally.conditions.size());
+        text += fmt::format("Number of {} not known ({}), {}\n", who, tally.n_participants.reason,
+                            conditions);
     }
     return text;
 }
@@ -86,6 +89,20 @@ std::string pair_row(const Comparison& pair) {
                        pair.variant_b, pair.conditions[0], pair.levels[0], pair.votes[0].a,
                        pair.votes[0].b, pair.conditions[1], pair.levels[1], pair.votes[1].a,
                        pair.votes[1].b, test_words(pair));
+}
+
+/// What was found on validity; nothing where it was not asked.
+std::string validity_words(const Possible<ValidityResult>& validity) {
+    if (!validity.has_value()) return "";
+    std::string words = fmt::format("{}: {}\n", validity->name, validity->sentence);
+    for (const Comparison& pair : validity->by_pair) words += pair_row(pair);
+    for (const Comparison& levels : validity->across_scenes) {
+        words += fmt::format(
+            "  Over different scenes, as the thesis compared them, and so no test of validity: {}: "
+            "{}.\n",
+            what_is_compared(levels), test_words(levels));
+    }
+    return words;
 }
 
 std::string order_bias_line(const Analysis& analysis) {
@@ -100,14 +117,14 @@ std::string order_bias_line(const Analysis& analysis) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
     const OrderBiasTest& test = *bias.logistic;
-    return text +
-           fmt::format(
-               " Logistic regression over {} conditions: of two equally liked images the second is "
-               "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
-               "likelihood "
-               "ratio {:.4f}, df 1, p {}.\n",
-               test.conditions, 100.0 * test.second_share, test.order_term, test.standard_error,
-               test.likelihood_ratio.statistic, p_text(test.likelihood_ratio.p));
+    return text + fmt::format(
+                      " Logistic regression over {}: of two equally liked images the second is "
+                      "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
+                      "likelihood "
+                      "ratio {:.4f}, df 1, p {}.\n",
+                      counted(test.conditions, "condition"), 100.0 * test.second_share,
+                      test.order_term, test.standard_error, test.likelihood_ratio.statistic,
+                      p_text(test.likelihood_ratio.p));
 }
 
 std::string bayes_factor_text(const Possible<BayesFactor>& factor) {
@@ -195,8 +212,7 @@ std::string text_report(const Analysis& analysis) {
     for (const HypothesisResult& hypothesis : analysis.hypotheses) {
         words += hypothesis.sentence + '\n';
     }
-    words += "H3: " + analysis.validity.sentence + '\n';
-    for (const Comparison& pair : analysis.validity.by_pair) words += pair_row(pair);
+    words += validity_words(analysis.validity);
     words +=
         "Votes that are pooled or compared here come from the same participants, which tests of "
         "counts take as independent; Cochran's, McNemar's and the test by flipping signs do "
