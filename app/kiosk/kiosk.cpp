@@ -129,7 +129,12 @@ class Kiosk {
                                            [&] { return close(session.session_id); });
             return closed ? End::kDone : End::kLeft;
         }
-        return resume(session, trials, std::move(plan));
+        const bool instructions_read =
+            std::any_of(so_far->events.begin(), so_far->events.end(), [&](const auto& event) {
+                return event.session_id == session.session_id &&
+                       event.name == kInstructionsReadEvent;
+            });
+        return resume(session, trials, instructions_read, std::move(plan));
     }
 
     /// True; also where an earlier try has closed it already.
@@ -143,7 +148,8 @@ class Kiosk {
     }
 
     End resume(const analysis::SessionRecord& session,
-               const std::vector<analysis::TrialRecord>& trials, SessionPlan plan) {
+               const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
+               SessionPlan plan) {
         plan.machine = machine_;
         const Moment now = moment_now();
         double elapsed_s = std::max(0.0, seconds_between(session.started_utc, now.utc));
@@ -153,7 +159,7 @@ class Kiosk {
                 std::max(elapsed_s, trials.back().question_onset_s + trials.back().response_time_s);
         }
         Procedure procedure(study_, std::move(plan));
-        return play(procedure, procedure.resume(trials, elapsed_s, now));
+        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
     }
 
     const stimuli::Study& study_;

@@ -38,7 +38,7 @@ std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts, const CutOffSessi
         const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
         ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
         if (wide_button(label, width, 2.1F, false)) choice = CutOffChoice::kAbandon;
-        if (ImGui::IsKeyPressed(GLFW_KEY_A, false)) choice = CutOffChoice::kAbandon;
+        if (key_pressed(GLFW_KEY_A)) choice = CutOffChoice::kAbandon;
         gap(0.2F);
         hint(fonts,
              session.refusal.empty() ? "Keys: Enter continues, A abandons." : "Key: A abandons.");

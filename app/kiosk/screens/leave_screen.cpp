@@ -24,10 +24,10 @@ std::optional<Event> leave_screen(const Fonts& fonts, bool session_open) {
         if (wide_button("Leave", width, 2.1F, false)) event = LeaveConfirmed{};
         ImGui::SameLine(0.0F, space);
         if (wide_button("Stay", width, 2.1F, true)) event = LeaveCancelled{};
-        if (enter_pressed() || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+        if (enter_pressed() || key_pressed(GLFW_KEY_ESCAPE)) {
             event = LeaveCancelled{};
         }
-        if (ImGui::IsKeyPressed(GLFW_KEY_L, false)) event = LeaveConfirmed{};
+        if (key_pressed(GLFW_KEY_L)) event = LeaveConfirmed{};
         gap(0.2F);
         hint(fonts, "Keys: L leaves, Enter stays.");
     });

@@ -21,6 +21,6 @@ bool trouble_screen(const Fonts& fonts, const Trouble& trouble) {
     return again;
 }
 
-std::vector<std::string> fixed_texts() { return {"\u2713"}; }
+std::vector<std::string> fixed_texts() { return {"\u2190 \u25A1 \u2713"}; }
 
 }  // namespace obscura::app::kiosk
