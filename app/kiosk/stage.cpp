@@ -9,6 +9,8 @@
 #include <algorithm>
 
 #include "app/kiosk/clock.h"
+#include "app/kiosk/letters.h"
+#include "renderer/base/log.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -41,7 +43,7 @@ template <typename Choice>
 
 bool is_operators_key(const KeyPress& press) {
     constexpr int kBoth = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
-    return press.key == GLFW_KEY_Q && (press.modifiers & kBoth) == kBoth;
+    return (press.modifiers & kBoth) == kBoth && press.key == key_of_letter('q');
 }
 
 void draw_first_frame(Ui& ui, const std::function<void()>& page) {
@@ -70,6 +72,24 @@ TroubleChoice ask_about_trouble(Stage& stage, const Trouble& trouble) {
 
 std::optional<CutOffChoice> ask_about_cut_off(Stage& stage, const CutOffSession& session) {
     return ask<CutOffChoice>(stage, [&] { return cut_off_screen(stage.ui.fonts(), session); });
+}
+
+std::optional<bool> ask_whether_to_abandon(Stage& stage, const CutOffSession& session) {
+    return ask<bool>(stage, [&] { return abandon_screen(stage.ui.fonts(), session); });
+}
+
+bool wait_for_saving(Stage& stage, const std::function<bool(double)>& ready_within) {
+    constexpr double kSoon_s = 0.5;
+    if (ready_within(kSoon_s)) return false;
+    spdlog::warn("the store takes longer than half a second");
+    const auto page = [&stage] { saving_screen(stage.ui.fonts()); };
+    draw_first_frame(stage.ui, page);
+    stage.window.present();
+    int idle_frames = 0;
+    while (!ready_within(0.0)) draw_next_frame(stage, page, idle_frames);
+    stage.window.poll_events();
+    (void)stage.window.take_keys();
+    return true;
 }
 
 }  // namespace obscura::app::kiosk

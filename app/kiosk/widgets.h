@@ -32,8 +32,13 @@ void gap(float lines = 1.0F);
 /// Whether Enter went down in this frame.
 [[nodiscard]] bool enter_pressed();
 
+/// Whether the key that types this letter ('a' to 'z') went down in this frame.
+[[nodiscard]] bool letter_pressed(char letter);
+
 /// The page's way on: centred, coloured; Enter presses it too.
 [[nodiscard]] bool primary_button(const char* label);
+/// Another way on, centred.
+[[nodiscard]] bool quiet_button(const char* label);
 /// As wide as given, `height` times the text's height.
 [[nodiscard]] bool wide_button(const char* label, float width_px, float height, bool primary);
 

@@ -27,9 +27,9 @@ std::optional<Event> leave_screen(const Fonts& fonts, bool session_open) {
         if (enter_pressed() || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
             event = LeaveCancelled{};
         }
-        if (ImGui::IsKeyPressed(GLFW_KEY_L, false)) event = LeaveConfirmed{};
+        if (letter_pressed('l')) event = LeaveConfirmed{};
         gap(0.2F);
-        hint(fonts, "Keys: L leaves, Enter stays.");
+        paragraph("Keys: L leaves, Enter stays.");
     });
     return event;
 }

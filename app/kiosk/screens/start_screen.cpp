@@ -16,6 +16,8 @@ std::optional<Event> start_screen(const Fonts& fonts) {
             "all the time you need.");
         gap();
         if (primary_button("Begin")) event = StartPressed{};
+        gap(0.2F);
+        hint(fonts, kOperatorsKey);
     });
     return event;
 }

@@ -8,19 +8,19 @@ namespace obscura::app::kiosk {
 bool trouble_screen(const Fonts& fonts, const Trouble& trouble) {
     bool again = false;
     card("##trouble", 36.0F, [&] {
-        hint(fonts, "Please call the person in charge");
         heading(fonts, trouble.title);
-        complaint(trouble.reason);
-        gap(0.2F);
-        paragraph(trouble.consequence);
-        gap();
+        paragraph("Please call the person in charge.");
+        gap(0.5F);
         if (primary_button("Try again")) again = true;
+        gap(0.5F);
+        paragraph(trouble.consequence);
+        paragraph(kOperatorsKey);
         gap(0.2F);
-        hint(fonts, "The operator leaves with Ctrl+Shift+Q.");
+        hint(fonts, trouble.reason);
     });
     return again;
 }
 
-std::vector<std::string> fixed_texts() { return {"\u2713"}; }
+std::vector<std::string> fixed_texts() { return {"\u2713", "\u2026"}; }
 
 }  // namespace obscura::app::kiosk
