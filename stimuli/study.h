@@ -65,6 +65,13 @@ struct ExclusionRule {
     [[nodiscard]] std::string to_json() const;
 };
 
+/// A text of a study file that a participant may read.
+struct ShownText {
+    std::string key;  ///< as in the file: question
+    int line = 0;     ///< of the file, from 1
+    std::string text;
+};
+
 /// All that a study file says, checked.
 struct Study {
     std::string name;
@@ -88,8 +95,9 @@ struct Study {
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
     ExclusionRule exclusion;
-    std::string sha256;            ///< of the file's bytes
-    std::filesystem::path folder;  ///< of the file; what its paths are relative to
+    std::vector<ShownText> shown_texts;  ///< title, question, instructions, thanks, as far as given
+    std::string sha256;                  ///< of the file's bytes
+    std::filesystem::path folder;        ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
     /// The condition of that id, or nullptr.

@@ -26,10 +26,12 @@ constexpr std::int64_t kMostGreyMs = 60000;
 constexpr std::int64_t kMostInputDelayMs = 5000;
 constexpr std::size_t kLongestId = 64;
 
-/// A text that is not blank.
-std::string read_text(TableReader& reader, const std::string& key, Need need) {
+/// A text that is not blank, noted among those that participants read.
+std::string read_text(TableReader& reader, const std::string& key, Need need,
+                      std::vector<ShownText>& shown) {
     const std::optional<std::string> text = reader.text(key, need);
     if (!text) return "";
+    shown.push_back({key, line_of(*reader.table().get(key)), *text});
     if (text->find_first_not_of(" \t\n") == std::string::npos) {
         reader.add(key, "is empty, allowed is a text");
     }
@@ -118,10 +120,10 @@ void read_advance(TableReader& reader, Study& study) {
 void read_study_table(const toml::table& table, Study& study, Problems& problems) {
     TableReader reader(table, "study", problems);
     study.name = read_id(reader, "name");
-    study.title = read_text(reader, "title", Need::kRequired);
-    study.question = read_text(reader, "question", Need::kRequired);
-    study.instructions = read_text(reader, "instructions", Need::kRequired);
-    study.thanks = read_text(reader, "thanks", Need::kOptional);
+    study.title = read_text(reader, "title", Need::kRequired, study.shown_texts);
+    study.question = read_text(reader, "question", Need::kRequired, study.shown_texts);
+    study.instructions = read_text(reader, "instructions", Need::kRequired, study.shown_texts);
+    study.thanks = read_text(reader, "thanks", Need::kOptional, study.shown_texts);
     read_resolution(reader, study);
     study.supersampling = static_cast<int>(
         reader.integer("supersampling", Need::kOptional, 1, renderer::kMostSupersampling)

@@ -130,6 +130,9 @@ struct TrialRecord {
     double second_view_ms = 0.0;
     double grey_ms_measured = 0.0;
     int dropped_frames = 0;
+    /// From the first image's onset to the answer: how long the screen was not to be seen whole and
+    /// in front, or the operator's question covered it. Nothing: answered before this was measured.
+    std::optional<double> hidden_ms;
     std::string first_sha256;  ///< of the PNG shown first
     std::string second_sha256;
     std::string answered_utc;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/kiosk/text_check.h"
 #include "renderer/base/error.h"
 #include "stimuli/study_warnings.h"
 
@@ -22,6 +23,9 @@ base::ExitCode check(const std::string& file_or_name) {
         fmt::print("{}\n", problems.what());
         return base::ExitCode::kBadInput;
     }
+    const std::vector<std::string> texts = kiosk::problems_of_texts(study, source.name);
+    for (const std::string& problem : texts) fmt::print("{}\n", problem);
+    if (!texts.empty()) return base::ExitCode::kBadInput;
     for (const std::string& warning : stimuli::warnings_of(study)) {
         fmt::print("{}: warning: {}\n", source.name, warning);
     }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
 #include <string_view>
 
 #include "app/kiosk/kiosk.h"
+#include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
 #include "stimuli/study.h"
 
@@ -36,6 +37,10 @@ void refuse_missing_folder(const std::string& url) {
 base::ExitCode run(const Options& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    const std::string name = stimuli::study_source(options.study).name;
+    if (const auto problems = kiosk::problems_of_texts(study, name); !problems.empty()) {
+        throw base::bad_input("{}", fmt::join(problems, "\n"));
+    }
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;

@@ -46,10 +46,14 @@ class Kiosk {
             return store_.open_sessions(study_.name, Kind::kParticipant);
         });
         if (!cut_off) return;
-        for (const analysis::SessionRecord& session : *cut_off) {
-            if (settle(session) == End::kLeft) return;
+        End end = End::kDone;
+        for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
+            end = settle(cut_off->at(i));
         }
-        while (run_new_session() == End::kDone) {
+        while (end == End::kDone) end = run_new_session();
+        if (end == End::kLeftUnsaved) {
+            throw base::failure(
+                "the operator left with what could not be saved; it is named above");
         }
     }
 
@@ -61,7 +65,8 @@ class Kiosk {
         -> std::optional<decltype(work())> {
         while (true) {
             try {
-                return work();
+                bool page_shown = false;
+                return done_aside(stage_, page_shown, work);
             } catch (const std::exception& error) {
                 spdlog::error("cannot {}: {}", purpose, error.what());
                 const Trouble trouble{
@@ -122,7 +127,7 @@ class Kiosk {
             shown.refusal = error.what();
             spdlog::warn("session {} cannot be continued: {}", session.session_id, error.what());
         }
-        const std::optional<CutOffChoice> choice = ask_about_cut_off(stage_, shown);
+        const std::optional<CutOffChoice> choice = decide(shown);
         if (!choice) return End::kLeft;
         if (*choice == CutOffChoice::kAbandon) {
             const auto closed = with_store("close a session that was cut off",
@@ -135,6 +140,17 @@ class Kiosk {
                        event.name == kInstructionsReadEvent;
             });
         return resume(session, trials, instructions_read, std::move(plan));
+    }
+
+    /// Closing a session for good is asked about twice.
+    [[nodiscard]] std::optional<CutOffChoice> decide(const CutOffSession& session) {
+        while (true) {
+            const std::optional<CutOffChoice> choice = ask_about_cut_off(stage_, session);
+            if (choice != CutOffChoice::kAbandon) return choice;
+            const std::optional<bool> sure = ask_whether_to_abandon(stage_, session);
+            if (!sure) return std::nullopt;
+            if (*sure) return choice;
+        }
     }
 
     /// True; also where an earlier try has closed it already.
@@ -189,7 +205,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
                  stage.pace.locked ? "presenting waits for the refresh"
                                    : "presenting does not wait for the refresh");
     spdlog::info("answers go to {}", options.store_url);
-    spdlog::info("the operator leaves with Ctrl+Shift+Q");
+    spdlog::info("{}", kOperatorsKey);
     Kiosk(study, manifest, store, stage).run();
 }
 

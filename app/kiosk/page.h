@@ -56,6 +56,8 @@ void card(const char* name, float columns, const std::function<void()>& body,
 /// Whether a key (GLFW_KEY_...) went down in this frame.
 [[nodiscard]] bool key_pressed(int key);
 [[nodiscard]] bool enter_pressed();
+/// The same of the key that types this letter ('a' to 'z').
+[[nodiscard]] bool letter_pressed(char letter);
 
 /// Makes the next stop that is drawn the one where the keyboard is.
 void focus_next();

@@ -66,13 +66,15 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
     if (screen_ == Screen::kDone || screen_ == Screen::kLeft) return {};
     if (!(now.time_s >= latest_s_)) return {};
     if (const auto* shown = std::get_if<ScreenPresented>(&event)) {
-        if (!visible_) {
+        if (!visible_ && (!hidden() || screen_ == Screen::kConfirmLeave)) {
             latest_s_ = now.time_s;
             presented(*shown, now.time_s);
         }
         return {};
     }
-    if (!visible_) return {};
+    if (const auto* gone = std::get_if<ScreenHidden>(&event)) return hide(gone->why, now);
+    if (is<ScreenSeen>(event)) return see_again(now);
+    if (!visible_ && !(hidden() && is<LeaveRequested>(event))) return {};
     latest_s_ = now.time_s;
     if (is<EndSeen>(event)) {
         end_came_into_view(now.time_s);
@@ -101,6 +103,8 @@ void Procedure::presented(const ScreenPresented& event, double time_s) {
         if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
     }
     if (screen_ != Screen::kConfirmLeave) {
+        if (gone_since_s_) trial_.hidden_s += time_s - *gone_since_s_;
+        gone_since_s_.reset();
         first_time_ = false;
         trial_.dropped_frames += event.dropped_frames;
     }
@@ -250,6 +254,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.second_view_ms = trial_.second_view_s * kMillisecondsPerSecond;
     row.grey_ms_measured = (trial_.second_onset_s - trial_.grey_onset_s) * kMillisecondsPerSecond;
     row.dropped_frames = trial_.dropped_frames;
+    row.hidden_ms = trial_.hidden_s * kMillisecondsPerSecond;
     row.first_sha256 = image(pair_, 0).sha256;
     row.second_sha256 = image(pair_, 1).sha256;
     row.answered_utc = now.utc;
@@ -258,8 +263,54 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     return row;
 }
 
+std::string Procedure::place() const {
+    const std::string pair = fmt::format("pair {}", pair_ + 1);
+    switch (screen_ == Screen::kConfirmLeave ? covered_ : screen_) {
+        case Screen::kFirstImage:
+            return pair + ", first image";
+        case Screen::kGrey:
+            return pair + ", grey interval";
+        case Screen::kSecondImage:
+            return pair + ", second image";
+        case Screen::kQuestion:
+            return pair + ", question";
+        default:
+            return "between the pairs";
+    }
+}
+
+void Procedure::go_out_of_sight(double time_s) {
+    seen_before_s_ = seen_s(time_s);
+    visible_ = false;
+    takes_presses_from_s_ = std::numeric_limits<double>::infinity();
+    if (!gone_since_s_) gone_since_s_ = time_s;
+}
+
+std::vector<Row> Procedure::hide(const std::string& why, const Moment& now) {
+    if (hidden_why_ == why) return {};
+    latest_s_ = now.time_s;
+    if (!hidden()) {
+        hidden_since_s_ = now.time_s;
+        if (screen_ != Screen::kConfirmLeave) go_out_of_sight(now.time_s);
+    }
+    hidden_why_ = why;
+    if (!session_open()) return {};
+    return {event_record(why, place(), now)};
+}
+
+std::vector<Row> Procedure::see_again(const Moment& now) {
+    if (!hidden()) return {};
+    latest_s_ = now.time_s;
+    hidden_why_.clear();
+    if (screen_ != Screen::kConfirmLeave) ++request_;
+    if (!session_open()) return {};
+    const double gone_ms = (now.time_s - hidden_since_s_) * kMillisecondsPerSecond;
+    return {event_record("seen again", fmt::format("after {:.0f} ms, {}", gone_ms, place()), now)};
+}
+
 std::vector<Row> Procedure::request_leave(const Moment& now) {
-    const double seen_before_s = seen_s(now.time_s);
+    go_out_of_sight(now.time_s);
+    const double seen_before_s = seen_before_s_;
     covered_ = screen_;
     show(Screen::kConfirmLeave);
     seen_before_s_ = seen_before_s;

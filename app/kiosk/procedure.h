@@ -77,12 +77,18 @@ struct EndSeen {};
 struct Tick {
     double expected_onset_s = 0.0;
 };
+/// From now on the screen is not to be seen whole and in front, or takes no input.
+struct ScreenHidden {
+    std::string why;  ///< the event's name: lost focus, iconified, covered, resized, monitor lost
+};
+/// It is to be seen again, and to be shown anew.
+struct ScreenSeen {};
 struct LeaveRequested {};
 struct LeaveConfirmed {};
 struct LeaveCancelled {};
 using Event = std::variant<StartPressed, FormSubmitted, InstructionsRead, PairPressed, SpacePressed,
-                           Answered, NextParticipant, ScreenPresented, EndSeen, Tick,
-                           LeaveRequested, LeaveConfirmed, LeaveCancelled>;
+                           Answered, NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden,
+                           ScreenSeen, LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
 /// When an event happened.
 struct Moment {
@@ -115,8 +121,9 @@ using Row =
 /// screen to show. Nothing a participant does counts before the screen is visible
 /// (ScreenPresented) and its end was in view, nor what was pressed before the study's input delay
 /// after that; and no event counts that is stamped earlier than one already taken, so no time in a
-/// row is ever negative. Time that the operator's question covers a screen is no viewing
-/// or response time; a grey interval it interrupts starts anew.
+/// row is ever negative. While a screen is hidden nothing is taken but the operator's wish to
+/// leave. Time that the operator's question covers a screen, or that it is hidden, is no viewing or
+/// response time but the trial's hidden_ms; a grey interval it interrupts starts anew.
 class Procedure {
   public:
     /// A new participant. `study` must outlive the procedure.
@@ -147,6 +154,9 @@ class Procedure {
     [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
     /// Whether the session has begun and is not complete.
     [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
+    /// Whether the screen is hidden; it is shown, and ScreenPresented due, only after ScreenSeen.
+    /// The operator's question is shown all the same.
+    [[nodiscard]] bool hidden() const { return !hidden_why_.empty(); }
     /// The image of that pair shown first (position 0) or second (position 1).
     [[nodiscard]] const StimulusImage& image(int pair, int position) const;
     /// While the grey interval is visible: when the second image is due to be visible.
@@ -162,6 +172,7 @@ class Procedure {
         double question_onset_s = 0.0;
         double first_view_s = 0.0;
         double second_view_s = 0.0;
+        double hidden_s = 0.0;
         int dropped_frames = 0;
     };
 
@@ -172,13 +183,20 @@ class Procedure {
     std::vector<Row> participant_did(const Event& event, const Moment& now);
     std::vector<Row> begin(const Form& form, const Moment& now);
     std::vector<Row> answer(bool first, const Moment& now);
+    std::vector<Row> hide(const std::string& why, const Moment& now);
+    std::vector<Row> see_again(const Moment& now);
+    /// The screen ceases to be visible until it is presented again.
+    void go_out_of_sight(double time_s);
     std::vector<Row> request_leave(const Moment& now);
     std::vector<Row> decide_leave(bool leave, const Moment& now);
     [[nodiscard]] analysis::TrialRecord trial_record(bool first, const Moment& now) const;
     [[nodiscard]] analysis::EventRecord event_record(std::string name, std::string detail,
                                                      const Moment& now) const;
-    /// How long the participant has seen the screen, without what the operator's question covered.
-    [[nodiscard]] double seen_s(double time_s) const { return seen_before_s_ + time_s - since_s_; }
+    [[nodiscard]] std::string place() const;
+    /// How long the participant has seen the screen, without what covered or hid it.
+    [[nodiscard]] double seen_s(double time_s) const {
+        return seen_before_s_ + (visible_ ? time_s - since_s_ : 0.0);
+    }
 
     const stimuli::Study* study_;
     SessionPlan plan_;
@@ -191,6 +209,9 @@ class Procedure {
     bool end_seen_ = false;
     double takes_presses_from_s_ = std::numeric_limits<double>::infinity();
     double seen_before_s_ = 0.0;
+    std::optional<double> gone_since_s_;  ///< hidden or covered since then
+    std::string hidden_why_;              ///< empty: not hidden
+    double hidden_since_s_ = 0.0;
     double latest_s_;  ///< of all events taken
     bool began_ = false;
     double began_s_ = 0.0;

@@ -78,9 +78,15 @@ constexpr double kImageWait_s = 0.5;
 SessionRunner::End SessionRunner::run() {
     asked_s_ = monotonic_s();
     while (true) {
-        if (!save()) return End::kLeft;
+        watch();
+        if (!save()) return End::kLeftUnsaved;
         if (procedure_.screen() == Screen::kDone) return End::kDone;
         if (procedure_.screen() == Screen::kLeft) return End::kLeft;
+        if (procedure_.hidden() && procedure_.screen() != Screen::kConfirmLeave) {
+            go_on_hidden();
+            continue;
+        }
+        hidden_page_ = false;
         if (procedure_.request() != presented_) {
             show_first_frame();
             if (procedure_.screen() == Screen::kPairs && !load_pair()) return End::kLeft;
@@ -91,24 +97,67 @@ SessionRunner::End SessionRunner::run() {
 }
 
 bool SessionRunner::save() {
-    while (const std::optional<std::string> reason = journal_.flush()) {
+    bool covered = false;
+    while (const std::optional<std::string> reason = flush(covered)) {
         spdlog::error("cannot save {}: {}", describe(journal_.waiting().front()), *reason);
         const Trouble trouble{
             "This could not be saved", *reason,
             fmt::format(
-                "It is {}; everything before it is saved. Make room or mend the store, then "
-                "try again. Leaving gives it up: it is then written to the terminal only, "
-                "and the session can be continued at that pair.",
+                "This is {}; everything before it is saved. Make room or mend the store, then try "
+                "again. Leaving gives it up: it is then written to the terminal only, and the "
+                "session can be continued at that pair.",
                 name_of(journal_.waiting().front()))};
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
             return false;
         }
-        // The trouble stood over the screen, which is asked for only now.
+        covered = true;
+    }
+    if (covered) {
+        // Another page stood over the screen, which is asked for only now.
         presented_ = 0;
+        hidden_page_ = false;
         asked_s_ = monotonic_s();
     }
     return true;
+}
+
+std::optional<std::string> SessionRunner::flush(bool& covered) {
+    if (journal_.waiting().empty()) return std::nullopt;
+    bool page_shown = false;
+    auto reason = done_aside(stage_, page_shown, [this] { return journal_.flush(); });
+    covered = covered || page_shown;
+    return reason;
+}
+
+void SessionRunner::watch() {
+    const Sight sight = stage_.window.sight();
+    if (sight == Sight::kClear) {
+        feed(ScreenSeen{}, moment_now());
+    } else {
+        feed(ScreenHidden{to_string(sight)}, moment_now());
+    }
+}
+
+void SessionRunner::go_on_hidden() {
+    constexpr double kRestore_s = 1.0;
+    const Sight sight = stage_.window.sight();
+    const std::string state = stage_.window.state();
+    const auto page = [&] { hidden_screen(stage_.ui.fonts(), sight, state); };
+    if (!hidden_page_) {
+        draw_first_frame(stage_.ui, page);
+        stage_.window.present();
+        hidden_page_ = true;
+        idle_frames_ = 0;
+        spdlog::warn("{}: {}", to_string(sight), state);
+    } else {
+        draw_next_frame(stage_, page, idle_frames_);
+    }
+    if (monotonic_s() - restored_s_ >= kRestore_s) {
+        stage_.window.restore();
+        restored_s_ = monotonic_s();
+    }
+    forward_presses();
 }
 
 bool SessionRunner::load_pair() {
@@ -262,6 +311,7 @@ void SessionRunner::draw_page() {
 }
 
 void SessionRunner::forward_presses() {
+    watch();
     Input& input = stage_.window.input();
     for (const KeyPress& press : input.take_keys()) {
         if (const auto event = meaning_of(press, procedure_.screen(), stage_.study)) {

@@ -11,6 +11,7 @@
 
 #include "app/kiosk/clock.h"
 #include "app/kiosk/letters.h"
+#include "renderer/base/log.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -88,6 +89,24 @@ TroubleChoice ask_about_trouble(Stage& stage, const Trouble& trouble) {
 
 std::optional<CutOffChoice> ask_about_cut_off(Stage& stage, const CutOffSession& session) {
     return ask<CutOffChoice>(stage, [&] { return cut_off_screen(stage.ui.fonts(), session); });
+}
+
+std::optional<bool> ask_whether_to_abandon(Stage& stage, const CutOffSession& session) {
+    return ask<bool>(stage, [&] { return abandon_screen(stage.ui.fonts(), session); });
+}
+
+bool wait_for_saving(Stage& stage, const std::function<bool(double)>& ready_within) {
+    constexpr double kSoon_s = 0.5;
+    if (ready_within(kSoon_s)) return false;
+    spdlog::warn("the store takes longer than half a second");
+    const auto page = [&stage] { saving_screen(stage.ui.fonts()); };
+    draw_first_frame(stage.ui, page);
+    stage.window.present();
+    int idle_frames = 0;
+    while (!ready_within(0.0)) draw_next_frame(stage, page, idle_frames);
+    stage.window.poll_events();
+    stage.window.input().forget();
+    return true;
 }
 
 }  // namespace obscura::app::kiosk

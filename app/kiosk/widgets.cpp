@@ -12,23 +12,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/kiosk/theme.h"
+
 namespace obscura::app::kiosk {
 namespace {
 
-const ImVec4 kCard{0.855F, 0.858F, 0.862F, 1.0F};
-const ImVec4 kField{0.955F, 0.957F, 0.960F, 1.0F};
-const ImVec4 kFieldHovered{0.985F, 0.987F, 0.990F, 1.0F};
-const ImVec4 kLine{0.60F, 0.61F, 0.63F, 1.0F};
-const ImVec4 kInk{0.10F, 0.11F, 0.13F, 1.0F};
-const ImVec4 kFaintInk{0.36F, 0.38F, 0.41F, 1.0F};
-const ImVec4 kAccent{0.145F, 0.325F, 0.500F, 1.0F};
-const ImVec4 kAccentHovered{0.180F, 0.395F, 0.595F, 1.0F};
-const ImVec4 kAccentPressed{0.110F, 0.255F, 0.400F, 1.0F};
-const ImVec4 kOnAccent{0.985F, 0.99F, 1.0F, 1.0F};
-const ImVec4 kQuiet{0.745F, 0.752F, 0.762F, 1.0F};
-const ImVec4 kQuietHovered{0.70F, 0.712F, 0.728F, 1.0F};
-const ImVec4 kQuietPressed{0.64F, 0.655F, 0.672F, 1.0F};
-const ImVec4 kComplaint{0.66F, 0.13F, 0.10F, 1.0F};
+using namespace theme;
 
 /// Added to the text's height: space between lines, and for an empty line.
 constexpr float kLeading = 0.32F;
@@ -159,6 +148,12 @@ bool primary_button(const char* label) {
     ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
     const bool pressed = button(label, width, 2.1F, StopKind::kPrimary);
     return pressed || enter_pressed();
+}
+
+bool quiet_button(const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
+    ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
+    return wide_button(label, width, 2.1F, false);
 }
 
 bool radio(const char* label, bool chosen) {

@@ -24,6 +24,8 @@ void gap(float lines = 1.0F);
 
 /// The page's way on: centred, coloured; Enter presses it too.
 [[nodiscard]] bool primary_button(const char* label);
+/// Another way on, centred.
+[[nodiscard]] bool quiet_button(const char* label);
 /// As wide as given, `height` times the text's height.
 [[nodiscard]] bool wide_button(const char* label, float width_px, float height, bool primary);
 

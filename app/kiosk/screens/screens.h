@@ -9,6 +9,7 @@
 #include "app/kiosk/fonts.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/text_entry.h"
+#include "app/kiosk/window.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {
@@ -64,16 +65,27 @@ struct CutOffSession {
 enum class CutOffChoice { kContinue, kAbandon };
 [[nodiscard]] std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts,
                                                          const CutOffSession& session);
+/// Asks once more; gives whether to close the session for good.
+[[nodiscard]] std::optional<bool> abandon_screen(const Fonts& fonts, const CutOffSession& session);
 
 /// Something could not be saved or read while a participant was at it.
 struct Trouble {
     std::string title;
-    std::string reason;
-    std::string consequence;  ///< what leaving means
+    std::string reason;       ///< small, below all else
+    std::string consequence;  ///< what is safe, what to do, and what leaving means
 };
 /// Gives whether to try again. Only the operator's key leaves, so that no participant gives up an
 /// answer.
 [[nodiscard]] bool trouble_screen(const Fonts& fonts, const Trouble& trouble);
+
+/// In place of what was hidden, until the screen is as it was; `state` is for the operator.
+void hidden_screen(const Fonts& fonts, Sight why, const std::string& state);
+
+/// While the store takes its time.
+void saving_screen(const Fonts& fonts);
+
+/// How the operator leaves, on every page that is the operator's too.
+inline constexpr const char* kOperatorsKey = "The operator leaves with Ctrl+Shift+Q.";
 
 /// Every fixed text of the pages that is not plain ASCII, for the fonts.
 [[nodiscard]] std::vector<std::string> fixed_texts();

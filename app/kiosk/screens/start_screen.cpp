@@ -19,6 +19,8 @@ std::optional<Event> start_screen(const Fonts& fonts) {
         },
         [&] {
             if (primary_button("Begin")) event = StartPressed{};
+            gap(0.2F);
+            hint(fonts, kOperatorsKey);
         });
     return event;
 }
