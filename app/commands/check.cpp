@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/kiosk/page_check.h"
 #include "app/kiosk/text_check.h"
 #include "renderer/base/error.h"
 #include "stimuli/study_warnings.h"
@@ -28,6 +29,9 @@ base::ExitCode check(const std::string& file_or_name) {
     if (!texts.empty()) return base::ExitCode::kBadInput;
     for (const std::string& warning : stimuli::warnings_of(study)) {
         fmt::print("{}: warning: {}\n", source.name, warning);
+    }
+    for (const std::string& note : kiosk::notes_on_pages(study)) {
+        fmt::print("{}: note: {}\n", source.name, note);
     }
     const std::size_t conditions = study.conditions.size();
     fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,

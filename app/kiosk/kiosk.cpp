@@ -197,9 +197,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    std::vector<std::string> texts = fixed_texts();
-    texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
-    Ui ui(window, texts, study.grey_level);
+    Ui ui(window, texts_of_pages(study), study.grey_level);
     Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"

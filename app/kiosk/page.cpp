@@ -160,6 +160,7 @@ void draw_body(PageState& page, const std::function<void()>& body, float visible
     }
     body();
     page.body_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    page.scrolled_px = ImGui::GetScrollY();
     page.at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1.0F;
     ImGui::EndChild();
     page.in_body = false;

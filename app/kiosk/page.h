@@ -22,6 +22,10 @@ struct FocusStop {
     bool text = false;     ///< takes typing
 };
 
+/// A page's first frame is drawn as often: a card's height is known when it was drawn once, its
+/// scroll bar when twice, and with that its height again.
+inline constexpr int kFirstFrames = 4;
+
 /// What a page on the screen remembers from frame to frame; a page shown anew begins anew.
 struct PageState {
     bool end_seen = false;  ///< its last line was in view
@@ -30,6 +34,7 @@ struct PageState {
     // Of the frame before.
     float body_px = 0.0F;
     float foot_px = 0.0F;
+    float scrolled_px = 0.0F;
     bool at_end = false;  ///< of what scrolls
     std::vector<FocusStop> stops;
     // Of this frame.

@@ -60,9 +60,7 @@ bool is_operators_key(const KeyPress& press, char letter) {
 
 void draw_first_frame(Ui& ui, const std::function<void()>& page) {
     ui.begin_page();
-    // A card's height is known when it has been drawn once, its scroll bar when twice, and with
-    // that its height again.
-    for (int pass = 0; pass < 4; ++pass) ui.draw(page);
+    for (int pass = 0; pass < kFirstFrames; ++pass) ui.draw(page);
 }
 
 void draw_next_frame(Stage& stage, const std::function<void()>& page, int& idle_frames) {

@@ -18,9 +18,6 @@
 namespace obscura::app::kiosk {
 namespace {
 
-/// What the pages need; a plain window is at least this large.
-constexpr Extent kSmallestWindow{1024, 720};
-
 [[nodiscard]] std::string glfw_reason() {
     const char* text = nullptr;
     glfwGetError(&text);

@@ -21,6 +21,9 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
+/// What the pages need; a plain window is at least this large.
+inline constexpr Extent kSmallestWindow{1024, 720};
+
 struct WindowOptions {
     int monitor = 0;        ///< index of the monitor, from 0
     bool windowed = false;  ///< a plain window instead of the whole monitor

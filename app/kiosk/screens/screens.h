@@ -87,7 +87,7 @@ void saving_screen(const Fonts& fonts);
 /// How the operator leaves, on every page that is the operator's too.
 inline constexpr const char* kOperatorsKey = "The operator leaves with Ctrl+Shift+Q.";
 
-/// Every fixed text of the pages that is not plain ASCII, for the fonts.
-[[nodiscard]] std::vector<std::string> fixed_texts();
+/// The study's texts on the pages, and what of the pages' own is not plain ASCII, for the fonts.
+[[nodiscard]] std::vector<std::string> texts_of_pages(const stimuli::Study& study);
 
 }  // namespace obscura::app::kiosk

@@ -23,6 +23,8 @@ bool trouble_screen(const Fonts& fonts, const Trouble& trouble) {
     return again;
 }
 
-std::vector<std::string> fixed_texts() { return {"\u2190 \u25A1 \u2713 \u2026"}; }
+std::vector<std::string> texts_of_pages(const stimuli::Study& study) {
+    return {study.question, study.instructions, study.thanks, "\u2190 \u25A1 \u2713 \u2026"};
+}
 
 }  // namespace obscura::app::kiosk
