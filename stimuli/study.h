@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -27,6 +28,10 @@ struct StudyScene {
     std::vector<renderer::ImportedFile> files = {};  ///< that the source and its light consist of
     std::vector<std::string> notes = {};  ///< what of the source is not shown, or replaced
 };
+
+/// The keys with a name that may end the look at an image, beside the letters and digits.
+inline constexpr std::array kAdvanceKeys{"space", "enter", "left",    "right",
+                                         "up",    "down",  "page-up", "page-down"};
 
 /// What a camera is called that the study file describes itself.
 inline constexpr std::string_view kStudyCamera = "study";
@@ -81,6 +86,10 @@ struct Study {
     std::optional<float> occluding_opacity;
     int grey_ms = 2000;
     int grey_level = 128;
+    int input_delay_ms = 300;  ///< a page or image takes nothing that is pressed before that
+    /// Keys that end the look at an image: names of kAdvanceKeys, one letter or one digit.
+    std::vector<std::string> advance = {"space"};
+    bool pointer = false;  ///< a click or touch anywhere does too
     OrderKind order = OrderKind::kLatinSquare;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;

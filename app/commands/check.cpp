@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/kiosk/page_check.h"
 #include "app/kiosk/text_check.h"
 #include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/study_reader.h"
@@ -31,6 +32,9 @@ base::ExitCode check(const std::string& file_or_name) {
     }
     for (const std::string& warning : stimuli::warnings_of(study)) {
         fmt::print("{}: warning: {}\n", source.name, warning);
+    }
+    for (const std::string& note : kiosk::notes_on_pages(study)) {
+        fmt::print("{}: note: {}\n", source.name, note);
     }
     const std::size_t conditions = study.conditions.size();
     fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,

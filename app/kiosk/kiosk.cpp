@@ -134,7 +134,12 @@ class Kiosk {
                                            [&] { return close(session.session_id); });
             return closed ? End::kDone : End::kLeft;
         }
-        return resume(session, trials, std::move(plan));
+        const bool instructions_read =
+            std::any_of(so_far->events.begin(), so_far->events.end(), [&](const auto& event) {
+                return event.session_id == session.session_id &&
+                       event.name == kInstructionsReadEvent;
+            });
+        return resume(session, trials, instructions_read, std::move(plan));
     }
 
     /// Closing a session for good is asked about twice.
@@ -159,7 +164,8 @@ class Kiosk {
     }
 
     End resume(const analysis::SessionRecord& session,
-               const std::vector<analysis::TrialRecord>& trials, SessionPlan plan) {
+               const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
+               SessionPlan plan) {
         plan.machine = machine_;
         const Moment now = moment_now();
         double elapsed_s = std::max(0.0, seconds_between(session.started_utc, now.utc));
@@ -169,7 +175,7 @@ class Kiosk {
                 std::max(elapsed_s, trials.back().question_onset_s + trials.back().response_time_s);
         }
         Procedure procedure(study_, std::move(plan));
-        return play(procedure, procedure.resume(trials, elapsed_s, now));
+        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
     }
 
     const stimuli::Study& study_;
@@ -191,9 +197,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    std::vector<std::string> texts = fixed_texts();
-    texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
-    Ui ui(window, texts, study.grey_level);
+    Ui ui(window, texts_of_pages(study), study.grey_level);
     Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"

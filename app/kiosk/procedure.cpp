@@ -55,6 +55,8 @@ std::optional<double> Procedure::second_image_due_s() const {
 void Procedure::show(Screen screen) {
     screen_ = screen;
     visible_ = false;
+    end_seen_ = false;
+    takes_presses_from_s_ = std::numeric_limits<double>::infinity();
     first_time_ = true;
     seen_before_s_ = 0.0;
     ++request_;
@@ -74,6 +76,11 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
     if (is<ScreenSeen>(event)) return see_again(now);
     if (!visible_ && !(hidden() && is<LeaveRequested>(event))) return {};
     latest_s_ = now.time_s;
+    if (is<EndSeen>(event)) {
+        end_came_into_view(now.time_s);
+        return {};
+    }
+    if (!is<Tick>(event) && !is<LeaveRequested>(event) && !takes(now)) return {};
     if (screen_ == Screen::kConfirmLeave) {
         if (is<LeaveConfirmed>(event)) return decide_leave(true, now);
         if (is<LeaveCancelled>(event)) return decide_leave(false, now);
@@ -86,6 +93,8 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
 void Procedure::presented(const ScreenPresented& event, double time_s) {
     visible_ = true;
     since_s_ = time_s;
+    takes_presses_from_s_ = time_s + study_->input_delay_ms / kMillisecondsPerSecond;
+    end_seen_ = event.end_in_view;
     // Grey that the operator's question interrupted starts anew; other screens keep their onset.
     if (screen_ == Screen::kGrey) trial_.grey_onset_s = time_s;
     if (first_time_) {
@@ -101,6 +110,18 @@ void Procedure::presented(const ScreenPresented& event, double time_s) {
     }
 }
 
+/// What made the page scroll to its end does not leave it as well.
+void Procedure::end_came_into_view(double time_s) {
+    if (end_seen_) return;
+    end_seen_ = true;
+    takes_presses_from_s_ =
+        std::max(takes_presses_from_s_, time_s + study_->input_delay_ms / kMillisecondsPerSecond);
+}
+
+bool Procedure::takes(const Moment& pressed) const {
+    return end_seen_ && pressed.pressed_s >= takes_presses_from_s_;
+}
+
 std::vector<Row> Procedure::participant_did(const Event& event, const Moment& now) {
     switch (screen_) {
         case Screen::kStart:
@@ -114,7 +135,7 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
         case Screen::kInstructions:
             if (is<InstructionsRead>(event)) {
                 show(Screen::kPairs);
-                return {event_record("instructions read", "", now)};
+                return {event_record(kInstructionsReadEvent, "", now)};
             }
             break;
         case Screen::kPairs:
@@ -261,6 +282,7 @@ std::string Procedure::place() const {
 void Procedure::go_out_of_sight(double time_s) {
     seen_before_s_ = seen_s(time_s);
     visible_ = false;
+    takes_presses_from_s_ = std::numeric_limits<double>::infinity();
     if (!gone_since_s_) gone_since_s_ = time_s;
 }
 
@@ -312,7 +334,7 @@ analysis::EventRecord Procedure::event_record(std::string name, std::string deta
 }
 
 std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& answered,
-                                   double elapsed_s, const Moment& now) {
+                                   bool instructions_read, double elapsed_s, const Moment& now) {
     if (static_cast<int>(answered.size()) > pair_count()) {
         throw base::bad_input("session {} has {} answers, the study has {} pairs", plan_.session_id,
                               answered.size(), pair_count());
@@ -340,7 +362,7 @@ std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& ans
         rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
         show(Screen::kThanks);
     } else {
-        show(Screen::kPairs);
+        show(instructions_read && !answered.empty() ? Screen::kPairs : Screen::kInstructions);
     }
     return rows;
 }

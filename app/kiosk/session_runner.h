@@ -56,7 +56,8 @@ class SessionRunner {
     void draw_still();
     /// The procedure's page; keeps what was pressed in `pressed_`.
     void draw_page();
-    void forward_keys();
+    /// To the procedure: keys that its screen knows, clicks on an image.
+    void forward_presses();
     void feed(const Event& event, const Moment& moment);
 
     Stage& stage_;

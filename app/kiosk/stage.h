@@ -26,11 +26,11 @@ struct Stage {
     Pace pace;
 };
 
-/// Ctrl+Shift+Q, the operator's way out, by the letter that the key types.
-[[nodiscard]] bool is_operators_key(const KeyPress& press);
+/// Ctrl+Shift and the key that types that letter: 'q' is the operator's way out.
+[[nodiscard]] bool is_operators_key(const KeyPress& press, char letter = 'q');
 
-/// Draws a page whose layout is settled, without presenting it, and forgets what was pressed
-/// before it is visible.
+/// Begins a page: draws it until its layout is settled, without presenting it. It takes no input
+/// before the window's input is opened.
 void draw_first_frame(Ui& ui, const std::function<void()>& page);
 
 /// Waits for input and draws the page again; `idle_frames` counts frames without input.

@@ -18,9 +18,6 @@
 namespace obscura::app::kiosk {
 namespace {
 
-/// What the pages need; a plain window is at least this large.
-constexpr Extent kSmallestWindow{1024, 720};
-
 [[nodiscard]] std::string glfw_reason() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -88,13 +85,17 @@ struct Window::Callbacks {
         return *static_cast<Window*>(glfwGetWindowUserPointer(window));
     }
     static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
-        if (action != GLFW_PRESS || key == GLFW_KEY_UNKNOWN) return;
-        of(window).keys_.push_back({key, modifiers, monotonic_s()});
-        of(window).taps_.push_back(key);
+        Input& input = of(window).input_;
+        if (action == GLFW_PRESS) input.key_down({key, modifiers, monotonic_s()});
+        if (action == GLFW_REPEAT) input.key_repeats(key, modifiers);
     }
-    static void mouse_button(GLFWwindow* window, int /*button*/, int action, int /*modifiers*/) {
+    static void character(GLFWwindow* window, unsigned code) {
+        of(window).input_.types(static_cast<char32_t>(code));
+    }
+    static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+        if (action == GLFW_PRESS) of(window).input_.button_down(button, monotonic_s());
         if (action != GLFW_RELEASE) return;
-        of(window).last_click_s_ = monotonic_s();
+        of(window).input_.button_up(button, monotonic_s());
         // Without a window manager a click alone brings no window to the keys.
         if (!of(window).focused_) glfwFocusWindow(window);
     }
@@ -198,6 +199,7 @@ void Window::open(const WindowOptions& options) {
 void Window::set_callbacks() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, &Callbacks::key);
+    glfwSetCharCallback(window_, &Callbacks::character);
     glfwSetMouseButtonCallback(window_, &Callbacks::mouse_button);
     glfwSetWindowRefreshCallback(window_, &Callbacks::refresh);
     glfwSetWindowCloseCallback(window_, &Callbacks::close);
@@ -314,10 +316,6 @@ Extent Window::size() const {
 void Window::wait_for_events(double timeout_s) { glfwWaitEventsTimeout(std::max(1e-4, timeout_s)); }
 
 void Window::poll_events() { glfwPollEvents(); }
-
-std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
-
-std::vector<int> Window::take_taps() { return std::exchange(taps_, {}); }
 
 bool Window::take_damage() { return std::exchange(damaged_, false); }
 

@@ -4,7 +4,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "app/kiosk/input.h"
 
 #include "app/kiosk/cover_watch.h"
 
@@ -20,17 +21,13 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
+/// What the pages need; a plain window is at least this large.
+inline constexpr Extent kSmallestWindow{1024, 720};
+
 struct WindowOptions {
     int monitor = 0;        ///< index of the monitor, from 0
     bool windowed = false;  ///< a plain window instead of the whole monitor
     Extent room;            ///< the window must hold an image of this size at 1:1
-};
-
-/// A key that went down; held keys do not repeat.
-struct KeyPress {
-    int key = 0;        ///< GLFW_KEY_...
-    int modifiers = 0;  ///< GLFW_MOD_...
-    double time_s = 0.0;
 };
 
 /// What keeps a window from being seen whole and in front, and from the keys. Each but the first
@@ -64,13 +61,8 @@ class Window {
     /// Lets events in; returns at the latest after that time.
     void wait_for_events(double timeout_s);
     void poll_events();
-    /// What came in since the last call.
-    [[nodiscard]] std::vector<KeyPress> take_keys();
-    /// The keys among them (GLFW_KEY_...), for a second reader: what went down since its last call,
-    /// though it may be up again.
-    [[nodiscard]] std::vector<int> take_taps();
-    /// When a mouse button last went up.
-    [[nodiscard]] double last_click_s() const { return last_click_s_; }
+    /// What keyboard and mouse did.
+    [[nodiscard]] Input& input() { return input_; }
     /// Whether the system lost what was drawn, so that it must be drawn again; asked once.
     [[nodiscard]] bool take_damage();
     void hide_pointer();
@@ -123,9 +115,7 @@ class Window {
     std::string gpu_renderer_;
     std::string display_;
     double refresh_hz_ = 0.0;
-    std::vector<KeyPress> keys_;
-    std::vector<int> taps_;
-    double last_click_s_ = 0.0;
+    Input input_;
     bool damaged_ = false;
 };
 

@@ -146,7 +146,8 @@ TEST(Procedure, NothingShortensTheGreyInterval) {
 }
 
 TEST(Procedure, SpaceBeforeAnImageIsVisibleDoesNotCount) {
-    const stimuli::Study study = small_study(2);
+    stimuli::Study study = small_study(2);
+    study.input_delay_ms = 0;
     Script script(study);
     script.reach_pairs();
     script.at(20, PairPressed{0});
@@ -329,7 +330,8 @@ TEST(Procedure, ContinuesACutOffSessionAtTheFirstUnansweredPair) {
     before.reach_pairs();
     before.answer_pair(20, 0, true);
     Script after(study);
-    const auto rows = after.procedure.resume(before.rows_of<TrialRecord>(), 500.0, {7.0, "u"});
+    const auto rows =
+        after.procedure.resume(before.rows_of<TrialRecord>(), true, 500.0, {7.0, "u"});
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(std::get<EventRecord>(rows[0]).name, "session resumed");
     EXPECT_EQ(std::get<EventRecord>(rows[0]).session_id, "s-1");
@@ -351,7 +353,8 @@ TEST(Procedure, ASessionCutOffAfterItsLastAnswerIsCompletedWhenContinued) {
     before.answer_pair(20, 0, true);
     before.answer_pair(40, 1, true);
     Script after(study);
-    const auto rows = after.procedure.resume(before.rows_of<TrialRecord>(), 500.0, {7.0, "u"});
+    const auto rows =
+        after.procedure.resume(before.rows_of<TrialRecord>(), true, 500.0, {7.0, "u"});
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_TRUE(std::holds_alternative<CompleteSession>(rows[1]));
     EXPECT_EQ(after.procedure.screen(), Screen::kThanks);
@@ -365,10 +368,10 @@ TEST(Procedure, AnswersThatAreNotOfThePlanCannotBeContinued) {
     auto trials = before.rows_of<TrialRecord>();
     trials[0].condition = "C1";
     Script after(study);
-    EXPECT_THROW((void)after.procedure.resume(trials, 1.0, {0.0, "u"}), base::Error);
+    EXPECT_THROW((void)after.procedure.resume(trials, true, 1.0, {0.0, "u"}), base::Error);
     trials[0].condition = "C2";
     trials[0].trial_index = 1;
-    EXPECT_THROW((void)after.procedure.resume(trials, 1.0, {0.0, "u"}), base::Error);
+    EXPECT_THROW((void)after.procedure.resume(trials, true, 1.0, {0.0, "u"}), base::Error);
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ using analysis::Store;
 inline constexpr int kScreenWidth = 1100;
 inline constexpr int kScreenHeight = 800;
 inline constexpr double kPatience_s = 40.0;
+/// A little more than a page or image takes nothing.
+inline constexpr double kInputDelay_s = 0.4;
 
 inline void pause(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -48,7 +50,7 @@ class Visitor {
         if (place_ == Place::kWindow) command.emplace_back("--windowed");
         program_ = ChildProcess(command, -1, log().string());
         EXPECT_TRUE(wait_for([this] { return sees_page(); })) << said();
-        pause(0.3);
+        pause(kInputDelay_s);
     }
     void kill_program() {
         program_.kill(SIGKILL);
@@ -101,6 +103,7 @@ class Visitor {
         return "";
     }
     void leave_first_image() {
+        pause(kInputDelay_s);
         press("space");
         EXPECT_TRUE(wait_for([this] { return sees_grey(); }));
     }
@@ -109,14 +112,14 @@ class Visitor {
         return seen_image().value_or("");
     }
     void leave_second_image() {
-        pause(0.1);
+        pause(kInputDelay_s);
         press("space");
         EXPECT_TRUE(wait_for([this] { return sees_page(); }));
-        pause(0.3);
+        pause(kInputDelay_s);
     }
     void await_answers(std::size_t count) {
         EXPECT_TRUE(wait_for([this, count] { return store().trials().size() == count; }));
-        pause(0.3);
+        pause(kInputDelay_s);
     }
     void answer_pair(const std::string& key, std::size_t answers_then) {
         (void)open_pair();
