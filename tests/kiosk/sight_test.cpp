@@ -172,7 +172,7 @@ TEST(Saving, APageStandsOnTheScreenWhileTheStoreTakesItsTime) {
     Window window({0, false, {64, 64}});
     const stimuli::Study study = small_study(2);
     Ui ui(window, texts_of_pages(study), 128);
-    Stage stage{window, ui, study, {}, {}};
+    Stage stage{window, ui, study, {}, {}, ""};
     bool page_shown = false;
     // The work ends when the page is to be seen, and not before.
     const int done = done_aside(stage, page_shown, [&display] {
