@@ -86,7 +86,8 @@ class AnswerTable {
     std::vector<SessionEntry> sessions;
     std::vector<ConditionEntry> conditions;  ///< each different one once
     std::vector<AnswerEntry> answers;
-    std::string order_unknown;  ///< why first_shown has no meaning; empty where it has
+    std::string order_unknown;       ///< why first_shown has no meaning; empty where it has
+    std::vector<std::string> notes;  ///< what a reader passed over or took for granted
 
     /// The place of the condition, a new one when it is new.
     std::uint32_t place_of(const ConditionEntry& condition);

@@ -94,6 +94,7 @@ class Counter {
 
     Tally tally() {
         tally_.source = table_.source;
+        tally_.notes = table_.notes;
         tally_.kind = kind_;
         tally_.study = table_.names[study_];
         number_participants();

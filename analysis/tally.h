@@ -63,6 +63,7 @@ struct Tally {
     std::vector<ParticipantTrials> participants;  ///< by number; empty where only counts are known
     /// The rule that all sessions carry.
     Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
+    std::vector<std::string> notes;  ///< what the reader of a file passed over or took for granted
 };
 
 /// Votes of the completed sessions of one kind (participant or simulated) of one study; practice,

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/measurement/pareto.h"
 #include "analysis/text.h"
 

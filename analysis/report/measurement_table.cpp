@@ -10,7 +10,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 

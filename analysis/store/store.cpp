@@ -119,6 +119,7 @@ struct Store::Impl {
     template <typename Work>
     void change(std::string_view doing, Work&& work) {
         database.guarded(doing, [&] {
+            database.require_in_place();
             Transaction transaction(database);
             work();
             transaction.commit();
@@ -145,22 +146,28 @@ struct Store::Impl {
 Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Impl>(url, access)) {
     Database& database = impl_->database;
     database.guarded("open", [&] {
+        database.require_whole();
         if (access == Access::kReadOnly) {
             require_current(database, migrations());
-        } else {
-            migrate(database, migrations());
-            database.use_write_ahead_log();
+            return;
         }
+        if (access == Access::kThrowaway) database.do_not_wait_for_the_disk();
+        migrate(database, migrations());
+        database.keep_in_one_file();
     });
 }
+
+void Store::require_in_place() { impl_->database.require_in_place(); }
 
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session) {
+void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session,
+                          const std::vector<EventRecord>& events) {
     check(participant);
     check(session);
+    for (const EventRecord& event : events) check(event);
     if (session.participant_id != participant.participant_id || session.kind != participant.kind) {
         throw base::bad_input("session {} is of the {} {}, but the participant given is the {} {}",
                               session.session_id, to_string(session.kind), session.participant_id,
@@ -174,6 +181,7 @@ void Store::begin_session(const ParticipantRecord& participant, const SessionRec
         insert(database.session(), sessions_table(), session);
         insert(database.session(), events_table(),
                EventRecord{session.session_id, session.started_utc, "session started", ""});
+        for (const EventRecord& event : events) insert(database.session(), events_table(), event);
     });
 }
 

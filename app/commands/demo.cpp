@@ -55,7 +55,7 @@ void refuse_real_answers(const fs::path& file) {
 
 /// What SQLite keeps beside a store while it is open; it must not outlive its store.
 void remove_log(const fs::path& file) {
-    for (const char* ending : {"-wal", "-shm"}) fs::remove(file.string() + ending);
+    for (const char* ending : {"-wal", "-shm", "-journal"}) fs::remove(file.string() + ending);
 }
 
 [[nodiscard]] kiosk::SessionPlan plan_of(const stimuli::Study& study,
@@ -83,7 +83,7 @@ void simulate(const stimuli::Study& study, const fs::path& images, const fs::pat
             fmt::join(choices.unpublished, ", "));
     }
     const stimuli::Manifest manifest = stimuli::load_manifest(images / "manifest.json");
-    Store store(url_of(file), Store::Access::kReadWrite);
+    Store store(url_of(file), Store::Access::kThrowaway);
     kiosk::VirtualClock clock;
     base::Progress progress("simulate", static_cast<std::size_t>(participants), quiet);
     for (int number = 1; number <= participants; ++number) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
@@ -37,9 +37,9 @@ void refuse_missing_folder(const std::string& url) {
 base::ExitCode run(const Options& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
-    const std::string name = stimuli::study_source(options.study).name;
-    if (const auto problems = kiosk::problems_of_texts(study, name); !problems.empty()) {
-        throw base::bad_input("{}", fmt::join(problems, "\n"));
+    if (const auto problems = kiosk::problems_of_texts(study.shown_texts); !problems.empty()) {
+        throw base::bad_input(
+            "{}", stimuli::to_lines(problems, stimuli::study_source(options.study).name));
     }
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);

@@ -32,13 +32,14 @@ void Journal::add(std::vector<Row> rows) {
 }
 
 std::optional<std::string> Journal::flush() {
-    while (!waiting_.empty()) {
-        try {
+    try {
+        require_in_place_();
+        while (!waiting_.empty()) {
             commit_(waiting_.front());
-        } catch (const std::exception& error) {
-            return error.what();
+            waiting_.pop_front();
         }
-        waiting_.pop_front();
+    } catch (const std::exception& error) {
+        return error.what();
     }
     return std::nullopt;
 }

@@ -31,6 +31,16 @@ void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& 
                           fmt::join(problems, "\n  "), options.remedy);
 }
 
+[[nodiscard]] bool is_file(const std::string& store_url) {
+    return store_url.starts_with("sqlite3://");
+}
+
+[[nodiscard]] std::string saved_note(const std::string& store_url) {
+    if (!is_file(store_url)) return "All answers are saved.";
+    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
+                       std::filesystem::path(store_url).filename().string());
+}
+
 /// One kiosk in its window.
 class Kiosk {
   public:
@@ -51,11 +61,10 @@ class Kiosk {
             end = settle(cut_off->at(i));
         }
         while (end == End::kDone) end = run_new_session();
-        if (end == End::kLeftUnsaved) {
-            throw base::failure(
-                "the operator left with what could not be saved; it is named above");
-        }
     }
+
+    /// Rows that the operator gave up.
+    [[nodiscard]] std::size_t unsaved() const { return unsaved_; }
 
   private:
     /// What `work` gives; nothing: the store failed and the operator left. A full-screen kiosk
@@ -104,7 +113,9 @@ class Kiosk {
     End play(Procedure& procedure, std::vector<Row> rows) {
         Journal journal = journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
-        return SessionRunner(stage_, procedure, journal).run();
+        const End end = SessionRunner(stage_, procedure, journal).run();
+        unsaved_ += journal.waiting().size();
+        return end;
     }
 
     /// Asks the operator about a session that was cut off, and does what was chosen.
@@ -183,6 +194,7 @@ class Kiosk {
     analysis::Store& store_;
     Stage& stage_;
     Machine machine_;
+    std::size_t unsaved_ = 0;
 };
 
 }  // namespace
@@ -197,14 +209,27 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    Ui ui(window, texts_of_pages(study), study.grey_level);
-    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
+    std::vector<std::string> texts = texts_of_pages(study);
+    const std::string note = saved_note(options.store_url);
+    texts.push_back(note);
+    Ui ui(window, texts, study.grey_level);
+    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level), note};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"
                                    : "presenting does not wait for the refresh");
     spdlog::info("answers go to {}", options.store_url);
+    if (is_file(options.store_url)) {
+        spdlog::info("that one file has every answer whenever a page is shown: copy it as it is");
+    }
     spdlog::info("{}", kOperatorsKey);
-    Kiosk(study, manifest, store, stage).run();
+    Kiosk kiosk(study, manifest, store, stage);
+    kiosk.run();
+    if (kiosk.unsaved() > 0) {
+        throw base::failure(
+            "{} could not be saved in {}: what was answered stands above",
+            kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
+            options.store_url);
+    }
 }
 
 }  // namespace obscura::app::kiosk

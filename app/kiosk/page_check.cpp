@@ -79,7 +79,8 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
          [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); });
     note("the question is",
          [&](const Fonts& fonts) { (void)question_screen(fonts, study, 0, count); });
-    note("the thanks are", [&](const Fonts& fonts) { thanks_screen(fonts, study); });
+    note("the thanks are",
+         [&](const Fonts& fonts) { thanks_screen(fonts, study, "All answers are saved."); });
     note("the list of pairs is", [&](const Fonts& fonts) { (void)pairs_screen(fonts, 0, count); });
     return notes;
 }

@@ -212,8 +212,9 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .display = plan_.machine.display,
                     .refresh_hz = plan_.machine.refresh_hz,
                     .exclusion = study_->exclusion.to_json()};
+    rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
     show(Screen::kInstructions);
-    return {std::move(rows), event_record(kStimuliEvent, digest_of(plan_.images), now)};
+    return {std::move(rows)};
 }
 
 std::vector<Row> Procedure::answer(bool first, const Moment& now) {

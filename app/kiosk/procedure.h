@@ -105,6 +105,7 @@ inline constexpr const char* kInstructionsReadEvent = "instructions read";
 struct BeginSession {
     analysis::ParticipantRecord participant;
     analysis::SessionRecord session;
+    std::vector<analysis::EventRecord> events;  ///< in the same transaction
 };
 struct CompleteSession {
     std::string session_id;

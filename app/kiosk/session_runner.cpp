@@ -73,13 +73,21 @@ constexpr double kImageWait_s = 0.5;
     }
 }
 
+[[nodiscard]] Trouble trouble_of(const Row& row, const std::string& reason) {
+    return {"This could not be saved", reason,
+            fmt::format("It is {}; everything before it is saved. Make room or mend the store, "
+                        "then try again. Leaving gives it up: it is then written to the terminal "
+                        "only, and the session can be continued at that pair.",
+                        name_of(row))};
+}
+
 }  // namespace
 
 SessionRunner::End SessionRunner::run() {
     asked_s_ = monotonic_s();
     while (true) {
         watch();
-        if (!save()) return End::kLeftUnsaved;
+        if (!save()) return End::kLeft;
         if (procedure_.screen() == Screen::kDone) return End::kDone;
         if (procedure_.screen() == Screen::kLeft) return End::kLeft;
         if (procedure_.hidden() && procedure_.screen() != Screen::kConfirmLeave) {
@@ -99,14 +107,15 @@ SessionRunner::End SessionRunner::run() {
 bool SessionRunner::save() {
     bool covered = false;
     while (const std::optional<std::string> reason = flush(covered)) {
-        spdlog::error("cannot save {}: {}", describe(journal_.waiting().front()), *reason);
-        const Trouble trouble{
-            "This could not be saved", *reason,
-            fmt::format(
-                "This is {}; everything before it is saved. Make room or mend the store, then try "
-                "again. Leaving gives it up: it is then written to the terminal only, and the "
-                "session can be continued at that pair.",
-                name_of(journal_.waiting().front()))};
+        const bool nothing_waits = journal_.waiting().empty();
+        spdlog::error("cannot save {}: {}",
+                      nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
+                      *reason);
+        const Trouble trouble =
+            nothing_waits ? Trouble{"The store of the answers is not where it was", *reason,
+                                    "Put it back, then try again. After leaving, the session can "
+                                    "be continued at this place."}
+                          : trouble_of(journal_.waiting().front(), *reason);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
             return false;
@@ -123,7 +132,11 @@ bool SessionRunner::save() {
 }
 
 std::optional<std::string> SessionRunner::flush(bool& covered) {
-    if (journal_.waiting().empty()) return std::nullopt;
+    if (journal_.waiting().empty()) {
+        // A store that is gone is noticed before the next page, not in the middle of a pair.
+        const bool page_due = procedure_.request() != presented_ && !is_still(procedure_.screen());
+        return page_due ? journal_.flush() : std::nullopt;
+    }
     bool page_shown = false;
     auto reason = done_aside(stage_, page_shown, [this] { return journal_.flush(); });
     covered = covered || page_shown;
@@ -295,7 +308,7 @@ void SessionRunner::draw_page() {
             pressed = question_screen(fonts, stage_.study, pair, count);
             break;
         case Screen::kThanks:
-            thanks_screen(fonts, stage_.study);
+            thanks_screen(fonts, stage_.study, stage_.saved_note);
             break;
         case Screen::kConfirmLeave:
             pressed = leave_screen(fonts, procedure_.session_open());

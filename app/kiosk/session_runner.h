@@ -16,11 +16,7 @@ namespace obscura::app::kiosk {
 /// rows committed before the next screen.
 class SessionRunner {
   public:
-    enum class End {
-        kDone,
-        kLeft,
-        kLeftUnsaved  ///< with rows that could not be saved, which were written to the log
-    };
+    enum class End { kDone, kLeft };
 
     /// All must outlive it.
     SessionRunner(Stage& stage, Procedure& procedure, Journal& journal)

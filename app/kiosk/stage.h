@@ -7,6 +7,7 @@
 #include <functional>
 #include <future>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/kiosk/pace.h"
@@ -24,6 +25,7 @@ struct Stage {
     const stimuli::Study& study;
     std::filesystem::path folder;  ///< of the study's images
     Pace pace;
+    std::string saved_note;  ///< what the last page says of where the answers are
 };
 
 /// Ctrl+Shift and the key that types that letter: 'q' is the operator's way out.

@@ -157,11 +157,11 @@ std::vector<std::string> problems_of_text(const std::string& text) {
     return problems;
 }
 
-std::vector<std::string> problems_of_texts(const stimuli::Study& study, const std::string& name) {
-    std::vector<std::string> problems;
-    for (const stimuli::ShownText& shown : study.shown_texts) {
+std::vector<stimuli::StudyProblem> problems_of_texts(const std::vector<stimuli::ShownText>& texts) {
+    std::vector<stimuli::StudyProblem> problems;
+    for (const stimuli::ShownText& shown : texts) {
         for (const std::string& problem : problems_of_text(shown.text)) {
-            problems.push_back(fmt::format("{}:{}: {} {}", name, shown.line, shown.key, problem));
+            problems.push_back({shown.line, fmt::format("study: {}: {}", shown.key, problem)});
         }
     }
     return problems;

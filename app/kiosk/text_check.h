@@ -18,9 +18,8 @@ namespace obscura::app::kiosk {
 /// joined, reordered, stacked, or runs from right to left.
 [[nodiscard]] std::vector<std::string> problems_of_text(const std::string& text);
 
-/// The same for every text of a study that a participant may read, each as
-/// `name:line: key: problem`.
-[[nodiscard]] std::vector<std::string> problems_of_texts(const stimuli::Study& study,
-                                                         const std::string& name);
+/// The same for texts of a study, each problem at its line.
+[[nodiscard]] std::vector<stimuli::StudyProblem> problems_of_texts(
+    const std::vector<stimuli::ShownText>& texts);
 
 }  // namespace obscura::app::kiosk

@@ -12,9 +12,9 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/store/store.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"

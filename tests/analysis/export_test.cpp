@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/store/store.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"

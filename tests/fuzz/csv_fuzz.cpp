@@ -48,7 +48,7 @@ void check_votes(const Tally& tally) {
 
 void fuzz_counts(std::string_view text) {
     try {
-        check_votes(parse_counts(text, kName));
+        check_votes(parse_counts(std::string(text), kName));
     } catch (const base::Error& error) {
         check_refusal(error, text);
     }
@@ -56,7 +56,7 @@ void fuzz_counts(std::string_view text) {
 
 void fuzz_trials(std::string_view text) {
     try {
-        const auto trials = parse_trials(text, kName);
+        const auto trials = parse_trials(std::string(text), kName);
         for (const Kind kind : {Kind::kParticipant, Kind::kSimulated}) {
             try {
                 check_votes(tally_of(trials, "", kind));

@@ -115,6 +115,27 @@ TEST(KioskDisturbed, LeavingWithAnAnswerThatCouldNotBeSavedExitsWithOne) {
     EXPECT_THAT(visitor.said(), HasSubstr("not saved: the answer to pair 1"));
 }
 
+TEST(KioskDisturbed, AStoreThatIsMovedAwayIsNoticedBeforeTheNextPageAndUsedAgainWhenItIsBack) {
+    const ShownStudy shown(2, 100);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    const auto store = shown.data / "responses.sqlite";
+    std::filesystem::rename(store, shown.data / "elsewhere.sqlite");
+    visitor.press("ctrl+shift+q");  // any next page
+    EXPECT_TRUE(visitor.says("cannot save"));
+    EXPECT_FALSE(std::filesystem::exists(store)) << "nothing makes another store in its place";
+    std::filesystem::rename(shown.data / "elsewhere.sqlite", store);
+    pause(0.7);
+    visitor.press("Return");  // tries again
+    pause(0.7);
+    visitor.press("Return");  // the operator stays
+    pause(0.7);
+    visitor.answer_pair("1", 1);
+    visitor.answer_pair("2", 2);
+    visitor.leave();
+}
+
 TEST(KioskDisturbed, TheOperatorLeavesByTheLettersOfAFrenchKeyboard) {
     const ShownStudy shown(2, 100);
     Visitor visitor(shown);

@@ -202,7 +202,7 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
         [&] { return pairs_screen(fonts, 40, 64); },
         [&] { return question_screen(fonts, study, 0, 64); },
         [&]() -> std::optional<Event> {
-            thanks_screen(fonts, study);
+            thanks_screen(fonts, study, "All answers are saved.");
             return std::nullopt;
         },
         [&] { return leave_screen(fonts, true); },
@@ -331,7 +331,7 @@ TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {
 TEST_F(Pages, ThanksAreLeftByNoKeyOrClickOfAParticipant) {
     bool gave = false;
     ShownPage page = show([&]() -> std::optional<Event> {
-        thanks_screen(ui_.fonts(), study_);
+        thanks_screen(ui_.fonts(), study_, "All answers are saved.");
         gave = gave || !page_state().stops.empty();
         return std::nullopt;
     });

@@ -97,7 +97,8 @@ TEST(Procedure, TheSessionRowHoldsTheFormTheOrderAndTheMachine) {
     EXPECT_EQ(begin.session.condition_count, 3);
     EXPECT_EQ(begin.session.started_utc, "t4");
     EXPECT_EQ(begin.session.gpu_renderer, "a renderer");
-    const auto& digest = std::get<EventRecord>(script.rows.at(1));
+    ASSERT_EQ(begin.events.size(), 1U);
+    const EventRecord& digest = begin.events[0];
     EXPECT_EQ(digest.name, kStimuliEvent);
     EXPECT_EQ(digest.detail, digest_of(script.procedure.plan().images));
 }

@@ -106,11 +106,12 @@ TEST_F(TextCheck, WhatNoFontHasIsRefusedNamingThePackageThatHelps) {
 }
 
 TEST_F(TextCheck, EveryTextOfAStudyIsLookedAtAndNamedByItsLineAndKey) {
-    stimuli::Study study;
-    study.shown_texts = {{"title", 3, "Study"}, {"question", 5, "איזו?"}, {"thanks", 9, "شكرا"}};
-    EXPECT_THAT(problems_of_texts(study, "a.toml"),
-                ElementsAre(HasSubstr("a.toml:5: question cannot be shown"),
-                            HasSubstr("a.toml:9: thanks cannot be shown")));
+    const auto problems =
+        problems_of_texts({{"title", 3, "Study"}, {"question", 5, "איזו?"}, {"thanks", 9, "شكرا"}});
+    EXPECT_THAT(stimuli::to_lines(problems, "a.toml"),
+                AllOf(HasSubstr("a.toml:5: study: question: cannot be shown"),
+                      HasSubstr("\na.toml:9: study: thanks: cannot be shown")));
+    EXPECT_EQ(problems.size(), 2U);
 }
 
 }  // namespace

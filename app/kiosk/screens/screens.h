@@ -49,8 +49,8 @@ struct FormDraft {
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
                                                    int pair, int count);
 
-/// Only the operator leaves it, by a key.
-void thanks_screen(const Fonts& fonts, const stimuli::Study& study);
+/// Only the operator leaves it, by a key. `saved_note` says that the answers are saved, and where.
+void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note);
 
 [[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
 

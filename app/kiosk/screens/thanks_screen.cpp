@@ -5,7 +5,7 @@
 
 namespace obscura::app::kiosk {
 
-void thanks_screen(const Fonts& fonts, const stimuli::Study& study) {
+void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note) {
     card(
         "##thanks", 30.0F,
         [&] {
@@ -15,7 +15,7 @@ void thanks_screen(const Fonts& fonts, const stimuli::Study& study) {
                     ? "That was the last pair. Please tell the person in charge that you are done."
                     : study.thanks);
             gap(0.2F);
-            paragraph("All answers are saved.");
+            paragraph(saved_note);
         },
         [&] {
             hint(fonts,
