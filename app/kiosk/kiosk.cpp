@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/manifest.h"
+#include "stimuli/pairs.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -39,6 +40,18 @@ void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& 
     if (!is_file(store_url)) return "All answers are saved.";
     return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
                        std::filesystem::path(store_url).filename().string());
+}
+
+/// Nobody is asked to choose between images that nobody can tell apart, unless the study means it.
+void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& manifest,
+                        const std::filesystem::path& folder) {
+    const std::vector<std::string> alike =
+        stimuli::alike_pairs(study, stimuli::compared_pairs(study, manifest, folder));
+    if (alike.empty()) return;
+    throw base::bad_input(
+        "{} has pairs that nobody can tell apart:\n  {}\nmend the study and render it again, or "
+        "say identical = true in the condition of a pair that is meant so",
+        study.name, fmt::join(alike, "\n  "));
 }
 
 /// One kiosk in its window.
@@ -202,6 +215,7 @@ class Kiosk {
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_incomplete_stimuli(study, options);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
+    refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
     Window window({options.monitor, options.windowed, {study.width, study.height}});
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
