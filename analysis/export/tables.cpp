@@ -121,7 +121,8 @@ const ExportTable<ParticipantRecord>& participants_export() {
              of<&R::age_years>,
              true},
             {"gender",
-             "Gender in the participant's own words; empty: not said",
+             "Gender: female, male, rather not say, or the participant's own words; empty: no "
+             "answer",
              {},
              "",
              of<&R::gender>,

@@ -70,7 +70,7 @@ struct ParticipantRecord {
     std::string participant_id;         ///< unique, made by the program
     Kind kind = Kind::kParticipant;     ///< participant or simulated
     std::optional<int> age_years;       ///< 1 to 120
-    std::string gender;                 ///< free text; empty: not said
+    std::string gender;                 ///< free text, also `rather not say`; empty: no answer
     std::optional<bool> normal_vision;  ///< normal or corrected to normal
     std::optional<bool> naive;          ///< does not know what the study is about
     bool consent = false;

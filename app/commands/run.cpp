@@ -67,7 +67,9 @@ std::function<base::ExitCode()> attach(CLI::App& command, const Globals& globals
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
-    command.footer("The operator leaves with Ctrl+Shift+Q.");
+    command.footer(
+        "The operator begins with the next participant by Ctrl+Shift+N and leaves with "
+        "Ctrl+Shift+Q.");
     return [options, &globals] { return run(*options, globals); };
 }
 
