@@ -65,13 +65,14 @@ Table power_table(const RunPower& power) {
 
 std::string found_words(const RunPower& power) {
     const auto words = [](const Possible<double>& share) {
-        return share.has_value() ? percent(*share, 1) : std::string("no share at all");
+        return share.has_value()
+                   ? fmt::format("a preference that {} of people share or more", percent(*share, 1))
+                   : std::string("no preference, however strong");
     };
     return fmt::format(
-        "With {} a condition the exact test at {:g} finds, with {} probability, a preference that "
-        "{} of people share or more; when all {} have to stand together (Holm's correction), {}. "
-        "Weaker preferences may be there and be missed: a result that is not significant is no "
-        "proof that nobody saw a difference.",
+        "With {} a condition the exact test at {:g} finds, with {} probability, {}; when all {} "
+        "have to stand together (Holm's correction), {}. Weaker preferences may be there and be "
+        "missed: a result that is not significant is no proof that nobody saw a difference.",
         counted(power.n, "answer"), kSignificance, percent(kAskedPower), words(power.detectable),
         counted(static_cast<std::int64_t>(power.tests), "test"), words(power.detectable_holm));
 }

@@ -149,6 +149,11 @@ class ResampledScales {
         for (std::vector<double>& values : variants) {
             intervals.push_back(*percentile_interval(values, kConfidence));
         }
+        // The first is the reference, which stands at 0 in every sample.
+        const bool is_point =
+            std::any_of(intervals.begin() + 1, intervals.end(),
+                        [](const Bounds& interval) { return interval.low == interval.high; });
+        if (is_point) return None::none("everybody answered alike: drawing anew changes nothing");
         return intervals;
     }
 

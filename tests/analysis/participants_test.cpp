@@ -83,7 +83,7 @@ TEST(Exclusions, OfNobodyAndOfEverybodyAreSaid) {
     EXPECT_EQ(nobody.exclusions->everybody, nullptr);
     const Analysis all = analysed(attentive_and_not("{\"\"min_response_time_s\"\":100}"));
     EXPECT_EQ(all.exclusions->left_out, 20);
-    EXPECT_EQ(all.verdicts[0].conclusion, Conclusion::kTooFew);
+    EXPECT_EQ(all.verdicts[0].conclusion, Conclusion::kNotTested);
     EXPECT_THAT(text_report(all), AllOf(HasSubstr("no votes"), Not(HasSubstr("nan"))));
     EXPECT_THAT(json_report(all), Not(HasSubstr("nan")));
 }
@@ -135,7 +135,9 @@ TEST(Verdicts, OfThePublishedVotesSayThatTheyAreTooFew) {
                         "0.092565"),
               HasSubstr("p 0.457710"), Not(HasSubstr("0.157894")),
               HasSubstr("I, IV and VII have no partner")));
-    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 4 * .1236577, 1e-5) << "of four tests";
+    EXPECT_EQ(analysis.verdicts[0].tests, 4U);
+    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .092565, 1e-5) << "the smallest of four";
+    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 3 * .1236577, 1e-5) << "the next";
     EXPECT_THAT(text_report(analysis), HasSubstr("Holm's correction for 7 tests: none."));
     EXPECT_EQ(analysis.power->n, 36);
     EXPECT_NEAR(analysis.power->shares[1].exact.power, .3563, 5e-5);
