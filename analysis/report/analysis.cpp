@@ -49,10 +49,6 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
     return results;
 }
 
-bool is_significant(const Possible<ChiSquareTest>& test) {
-    return test.has_value() && test->p.p < kSignificance;
-}
-
 std::string sentence_of(const std::vector<ConditionResult>& conditions) {
     std::vector<std::string> alone;
     std::vector<std::string> corrected;

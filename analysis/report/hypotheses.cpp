@@ -17,10 +17,6 @@
 namespace obscura::analysis {
 namespace {
 
-bool is_significant(const Possible<ChiSquareTest>& test) {
-    return test.has_value() && test->p.p < kSignificance;
-}
-
 /// What is not pooled has no numbers, and says why.
 Preference nothing_pooled(const std::string& why) {
     Preference preference;
@@ -152,6 +148,10 @@ ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
 }
 
 }  // namespace
+
+bool is_significant(const Possible<ChiSquareTest>& test) {
+    return test.has_value() && test->p.p < kSignificance;
+}
 
 Preference preference_of(const Votes& votes) {
     Preference preference;

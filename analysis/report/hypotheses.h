@@ -8,6 +8,9 @@
 
 namespace obscura::analysis {
 
+/// Whether the test alone, uncorrected, has p below .05; not where there is none.
+[[nodiscard]] bool is_significant(const Possible<ChiSquareTest>& test);
+
 /// Every test of one set of votes.
 [[nodiscard]] Preference preference_of(const Votes& votes);
 

@@ -13,7 +13,6 @@
 namespace obscura::analysis {
 namespace {
 
-
 std::string number(const Possible<double>& value, const char* sign = "") {
     if (!value.has_value()) return kNoText;
     return fmt::format(fmt::runtime(fmt::format("{{:{}.4f}}", sign)), *value);

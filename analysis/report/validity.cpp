@@ -22,7 +22,7 @@ namespace obscura::analysis {
 namespace {
 
 /// Conditions that show the same two variants in the same view, in order of the levels.
-using Family = std::vector<const ConditionVotes*>;
+using SamePair = std::vector<const ConditionVotes*>;
 
 /// Conditions grouped by what they compare, all of a group with the same variant called A.
 class Families {
@@ -40,11 +40,11 @@ class Families {
                                          by_view ? condition.view : std::string()),
                               families_.size());
             if (is_new) families_.emplace_back();
-            Family& family = families_[entry->second];
+            SamePair& family = families_[entry->second];
             const bool as_first = family.empty() || family.front()->variant_a == a;
             family.push_back(as_first ? &condition : turned(condition));
         }
-        for (Family& family : families_) {
+        for (SamePair& family : families_) {
             std::stable_sort(family.begin(), family.end(), [](const auto* one, const auto* other) {
                 return level_number(one->validity) < level_number(other->validity);
             });
@@ -52,9 +52,9 @@ class Families {
     }
 
     /// Those that show two levels or more.
-    [[nodiscard]] std::vector<Family> at_several_levels() const {
-        std::vector<Family> several;
-        for (const Family& family : families_) {
+    [[nodiscard]] std::vector<SamePair> at_several_levels() const {
+        std::vector<SamePair> several;
+        for (const SamePair& family : families_) {
             if (family.front()->validity != family.back()->validity) several.push_back(family);
         }
         return several;
@@ -79,13 +79,13 @@ class Families {
         return &copy;
     }
 
-    std::vector<Family> families_;
+    std::vector<SamePair> families_;
     std::deque<ConditionVotes> turned_;
 };
 
-std::vector<const ConditionVotes*> at_levels(const Family& family, const std::string& one,
+std::vector<const ConditionVotes*> at_levels(const SamePair& family, const std::string& one,
                                              const std::string& other) {
-    Family both;
+    SamePair both;
     for (const ConditionVotes* condition : family) {
         if (condition->validity == one || condition->validity == other) both.push_back(condition);
     }
@@ -93,7 +93,7 @@ std::vector<const ConditionVotes*> at_levels(const Family& family, const std::st
 }
 
 /// Of every two levels: of the same participants where they answered each once, else from counts.
-std::vector<LevelDifference> differences_of(const Comparison& comparison, const Family& family) {
+std::vector<LevelDifference> differences_of(const Comparison& comparison, const SamePair& family) {
     std::vector<LevelDifference> differences;
     for (std::size_t from = 0; from < comparison.votes.size(); ++from) {
         for (std::size_t to = from + 1; to < comparison.votes.size(); ++to) {
@@ -120,7 +120,7 @@ std::vector<LevelDifference> differences_of(const Comparison& comparison, const 
     return differences;
 }
 
-Comparison comparison_of(const Family& family, const Families& families) {
+Comparison comparison_of(const SamePair& family, const Families& families) {
     Comparison comparison;
     comparison.variant_a = family.front()->variant_a;
     comparison.variant_b = family.front()->variant_b;
@@ -146,7 +146,7 @@ Comparison comparison_of(const Family& family, const Families& families) {
 }
 
 /// Every two conditions at different levels.
-std::vector<Comparison> pairs_of(const Family& family, const Families& families) {
+std::vector<Comparison> pairs_of(const SamePair& family, const Families& families) {
     std::vector<Comparison> pairs;
     if (family.size() > kMostPairedConditions) return pairs;
     for (std::size_t i = 0; i < family.size(); ++i) {
@@ -197,10 +197,11 @@ std::string why_none(const Tally& tally) {
     const Families whatever_the_view(tally, false);
     const auto several = whatever_the_view.at_several_levels();
     if (several.empty()) return "the study shows no two variants at two levels of validity";
-    const bool knows_views = std::all_of(several.begin(), several.end(), [](const Family& family) {
-        return std::none_of(family.begin(), family.end(),
-                            [](const auto* condition) { return condition->view.empty(); });
-    });
+    const bool knows_views =
+        std::all_of(several.begin(), several.end(), [](const SamePair& family) {
+            return std::none_of(family.begin(), family.end(),
+                                [](const auto* condition) { return condition->view.empty(); });
+        });
     return knows_views
                ? "the study shows no two variants in the same scene at two levels of validity"
                : "it is not known which conditions show the same scene";
@@ -241,7 +242,7 @@ Possible<ValidityResult> test_validity(const Tally& tally) {
     ValidityResult result;
     result.name = name_of(tally, is_built_in);
     const Families families(tally, true);
-    for (const Family& family : families.at_several_levels()) {
+    for (const SamePair& family : families.at_several_levels()) {
         result.by_level.push_back(comparison_of(family, families));
         if (family.size() == 2) continue;
         for (Comparison& pair : pairs_of(family, families)) result.by_pair.push_back(pair);
@@ -250,7 +251,7 @@ Possible<ValidityResult> test_validity(const Tally& tally) {
     if (result.by_level.empty()) result.no_comparison = why_none(tally);
     if (is_published) {
         const Families over_scenes(tally, false);
-        for (const Family& family : over_scenes.at_several_levels()) {
+        for (const SamePair& family : over_scenes.at_several_levels()) {
             result.across_scenes.push_back(comparison_of(family, over_scenes));
         }
     }
