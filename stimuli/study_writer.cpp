@@ -6,11 +6,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_format.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::stimuli {
