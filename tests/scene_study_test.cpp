@@ -174,7 +174,7 @@ TEST_F(SceneStudy, AFileThatIsMissingOrBrokenIsAProblemOfItsLine) {
     EXPECT_THAT(missing[0].message, HasSubstr("bux.obj: the file is missing"));
     base::write_file_atomically(folder_ / "models/box.obj", "v 1 2\n");
     EXPECT_THAT(problems("camera = \"overview\"\nvalidity = \"low\""),
-                HasSubstr("box.obj:1: v has"));
+                HasSubstr("box.obj:1: \"v 1 2\": a position wants"));
 }
 
 TEST_F(SceneStudy, FilesAreNotOpenedWhereTheyAreTrusted) {

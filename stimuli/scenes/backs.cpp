@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/error.h"
 #include "renderer/reference/backs.h"
 
 namespace obscura::stimuli {
@@ -22,7 +23,14 @@ std::string note_on_backs(const OpenedScene& opened, std::vector<renderer::Camer
     if (cameras.size() > kMostCameras) cameras.resize(kMostCameras);
     const renderer::Backs backs =
         opened.has_sides ? renderer::Backs::kOfSingleSided : renderer::Backs::kAll;
-    const std::vector<double> shares = renderer::shares_of_backs(*opened.scene, cameras, backs);
+    std::vector<double> shares;
+    try {
+        shares = renderer::shares_of_backs(*opened.scene, cameras, backs);
+    } catch (const base::Error& error) {
+        // What is wrong with a camera is for those to say who read it.
+        if (error.code() != base::ExitCode::kBadInput) throw;
+        return "";
+    }
     std::vector<std::string> much;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         if (shares[i] < kMuchFromBehind) continue;
