@@ -61,7 +61,7 @@ struct InstructionsRead {};
 struct PairPressed {
     int pair = 0;  ///< from 0, in order of showing
 };
-struct SpacePressed {};
+struct SpacePressed {};  ///< or what else the study lets end the look at an image
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
