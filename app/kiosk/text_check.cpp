@@ -64,8 +64,8 @@ constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_G
         std::find(kPlainScripts.begin(), kPlainScripts.end(), script) != kPlainScripts.end();
     if (!plain && script != USCRIPT_UNKNOWN) {
         return fmt::format(
-            "the letters of the script {} change or move beside each other, or its "
-            "lines break within words, which the kiosk does not support yet",
+            "the kiosk does not support the script {} yet, whose letters may change or "
+            "move beside each other",
             uscript_getName(script));
     }
     if (is_of(character, U_GC_CC_MASK | U_GC_ZL_MASK | U_GC_ZP_MASK | U_GC_CS_MASK)) {

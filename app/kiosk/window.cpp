@@ -228,6 +228,8 @@ void Window::settle() {
         if (after != before || focused_ != had_focus) last_event_s = monotonic_s();
         before = after;
     }
+    // A plain window may be what the window manager makes of it, if the images have room.
+    if (windowed_) wanted_.size = size();
     if (!is_in_place()) {
         throw base::failure("the window does not come to fill the monitor: {}", state());
     }

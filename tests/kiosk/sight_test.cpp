@@ -6,6 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "app/kiosk/clock.h"
 #include "app/kiosk/letters.h"
 #include "app/kiosk/stage.h"
