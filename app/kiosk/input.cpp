@@ -67,10 +67,13 @@ InputFrame Input::take_frame() {
     InputFrame frame;
     std::size_t taken = 0;
     while (taken < strokes_.size()) {
-        const TimedStroke& next = strokes_[taken++];
+        const TimedStroke& next = strokes_[taken];
+        const bool acts = !only_types(next.stroke);
+        if (acts && !frame.strokes.empty()) break;
+        ++taken;
         if (next.pressed_s < open_from_s_) continue;
         frame.strokes.push_back(next.stroke);
-        if (!only_types(next.stroke)) break;
+        if (acts) break;
     }
     strokes_.erase(strokes_.begin(), strokes_.begin() + static_cast<std::ptrdiff_t>(taken));
     if (strokes_.empty()) key_may_type_ = false;

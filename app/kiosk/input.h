@@ -25,7 +25,7 @@ struct Stroke {
 
 /// What keyboard and mouse did since the frame before, as a page is to see it.
 struct InputFrame {
-    std::vector<Stroke> strokes;  ///< of which at most the last one does not only type
+    std::vector<Stroke> strokes;  ///< one that may do more than type stands alone
     std::vector<int> buttons;     ///< of the mouse that are down, or were in between
 };
 
@@ -48,8 +48,8 @@ class Input {
     /// Nothing that has gone down so far reaches anyone.
     void forget();
 
-    /// What a page is to see next. A stroke that may move the page's focus ends a frame, so that
-    /// what follows it is for where the focus is then.
+    /// What a page is to see next. A stroke that may move the page's focus has a frame of its own,
+    /// so that what comes before and after it is for where the focus is then.
     [[nodiscard]] InputFrame take_frame();
     /// Whether a frame would have more strokes at once.
     [[nodiscard]] bool more() const { return !strokes_.empty(); }

@@ -268,7 +268,10 @@ bool end_stop(unsigned id, bool here) {
                  ImGui::GetColorU32(ImGuiCol_NavHighlight), 0.3F * text_px, 0,
                  std::max(2.0F, 0.1F * text_px));
     list.PopClipRect();
-    return key_pressed(GLFW_KEY_SPACE);
+    const bool pressed = key_pressed(GLFW_KEY_SPACE);
+    // It shall not type a blank where the press moves the keyboard to.
+    if (pressed) page.input.strokes.clear();
+    return pressed;
 }
 
 }  // namespace obscura::app::kiosk

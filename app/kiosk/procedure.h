@@ -61,7 +61,7 @@ struct InstructionsRead {};
 struct PairPressed {
     int pair = 0;  ///< from 0, in order of showing
 };
-struct SpacePressed {};
+struct SpacePressed {};  ///< or what else the study lets end the look at an image
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
@@ -147,6 +147,8 @@ class Procedure {
     [[nodiscard]] Screen screen() const { return screen_; }
     /// Grows by one whenever screen() is to be shown (again): ScreenPresented is due.
     [[nodiscard]] int request() const { return request_; }
+    /// Whether the end of the visible screen was in view.
+    [[nodiscard]] bool end_seen() const { return end_seen_; }
     /// The screen takes what is pressed from then on; nothing before it is visible. The operator's
     /// wish to leave is taken at any time.
     [[nodiscard]] double takes_presses_from_s() const { return takes_presses_from_s_; }

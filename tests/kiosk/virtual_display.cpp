@@ -189,6 +189,15 @@ void VirtualDisplay::click(int x, int y) const {
          "1", "sleep", "0.1", "mouseup", "1"});
 }
 
+void VirtualDisplay::double_click(int x, int y) const {
+    run({"xdotool", "mousemove", std::to_string(x), std::to_string(y), "sleep", "0.2", "click",
+         "--repeat", "2", "--delay", "110", "1"});
+}
+
+void VirtualDisplay::hold(const std::string& key, double seconds) const {
+    run({"xdotool", "keydown", key, "sleep", fmt::format("{}", seconds), "keyup", key});
+}
+
 void VirtualDisplay::ask_windows_to_close() const {
     const Connection connection = connect();
     Window root = 0;

@@ -42,6 +42,10 @@ class VirtualDisplay {
     void key(const std::string& name) const;
     void type(const std::string& text) const;
     void click(int x, int y) const;
+    /// Two clicks as people double-click.
+    void double_click(int x, int y) const;
+    /// A key that is held, with the repeats of the server.
+    void hold(const std::string& key, double seconds) const;
     /// Runs a tool that talks to the display (xdotool, xrandr, setxkbmap) and waits for its end.
     void tool(const std::vector<std::string>& command) const;
     /// Openbox, which takes part in where windows are and which has the keys.

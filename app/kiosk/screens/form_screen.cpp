@@ -28,31 +28,38 @@ void notes_on(const Fonts& fonts, const TextEntry& entry) {
     }
 }
 
+/// Puts the keyboard on the next field where it is to be there.
+void focus_if_wanted(FormDraft& draft, FormDraft::ToFill field) {
+    if (draft.to_fill != field) return;
+    draft.to_fill = FormDraft::ToFill::kNothing;
+    focus_next();
+}
+
 /// Digits for those who have a mouse or a finger only.
-void number_pad(TextEntry& entry) {
+void number_pad(FormDraft& draft) {
     const float side = 1.75F;
     const float apart = 0.2F * ImGui::GetFontSize();
     const auto key = [&](const char* label) {
         ImGui::SameLine(0.0F, apart);
         const bool pressed =
             ImGui::Button(label, {side * ImGui::GetFontSize(), ImGui::GetFrameHeight()});
-        if (pressed) focus_next();
+        if (pressed) draft.to_fill = FormDraft::ToFill::kAge;
         return pressed;
     };
     for (char digit = '0'; digit <= '9'; ++digit) {
         const char label[] = {digit, '\0'};
-        if (key(label)) entry.type(static_cast<char32_t>(digit));
+        if (key(label)) draft.age.type(static_cast<char32_t>(digit));
     }
-    if (key("\u2190")) entry.erase_before();
+    if (key("\u2190")) draft.age.erase_before();
 }
 
 void age_field(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Age in years");
     ImGui::SameLine();
-    if (draft.to_fill == FormDraft::ToFill::kAge) focus_next();
+    focus_if_wanted(draft, FormDraft::ToFill::kAge);
     text_field("##age", draft.age, 3.5F * ImGui::GetFontSize());
-    number_pad(draft.age);
+    number_pad(draft);
     notes_on(fonts, draft.age);
     if (draft.submitted && !problems.age.empty()) complaint(problems.age);
 }
@@ -75,7 +82,7 @@ void gender_field(const Fonts& fonts, FormDraft& draft) {
     if (draft.gender != Gender::kOwnWords) return;
     // It takes the typing at once.
     if (own_words) draft.to_fill = FormDraft::ToFill::kOwnWords;
-    if (draft.to_fill == FormDraft::ToFill::kOwnWords) focus_next();
+    focus_if_wanted(draft, FormDraft::ToFill::kOwnWords);
     text_field("##gender", draft.own_words, ImGui::GetContentRegionAvail().x);
     notes_on(fonts, draft.own_words);
 }
@@ -92,13 +99,12 @@ void questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problem
     yes_no("purpose", "Had you heard what this study is about before today?",
            draft.heard_of_purpose);
     gap(0.2F);
-    if (draft.to_fill == FormDraft::ToFill::kConsent) focus_next();
+    focus_if_wanted(draft, FormDraft::ToFill::kConsent);
     tick("I agree to take part", draft.consent);
     hint(fonts,
          "Your answers are stored without your name. You may stop at any time: tell the person "
          "in charge.");
     if (draft.submitted && !problems.consent.empty()) complaint(problems.consent);
-    draft.to_fill = FormDraft::ToFill::kNothing;
 }
 
 }  // namespace
