@@ -241,6 +241,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
     Generated generated;
+    PairsInTheMaking made;
     base::Progress progress("render", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         if (selection.buffers) {
@@ -253,7 +254,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             continue;
         }
         const renderer::Frame frame = renderer.render_next(stimulus);
-        const RgbImage image = image_of(frame);
+        RgbImage image = image_of(frame);
         if (is_of_one_colour(image)) {
             spdlog::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
@@ -261,6 +262,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
         base::write_file_atomically(folder / entry.file, bytes);
+        made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
         save_manifest(list, manifest_of(study, finished));
         ++generated.made;
@@ -275,6 +277,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     Manifest manifest = manifest_of(study, finished);
     const std::vector<ManifestPair> known = known_pairs(folder);
     manifest.pairs = known;
+    manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
     generated.warnings = warnings_of_selected(study, selection, manifest.pairs);
     const bool up_to_date = generated.made == 0 && known == manifest.pairs &&
