@@ -177,7 +177,7 @@ TEST_F(DatasetExport, BidsHasItsRequiredFilesAndNothingWithAnotherName) {
         "dataset_description\\.json|README|participants\\.(tsv|json)|\\.obscura-export|"
         "task-[a-zA-Z0-9]+_(beh|events)\\.json|stimuli/.*|sourcedata/events\\.(tsv|json)|"
         "(sub-[a-zA-Z0-9]+)/beh/"
-        "\\3_task-[a-zA-Z0-9]+(_run-[0-9]+)?_(beh\\.(tsv|json)|events\\.tsv)");
+        "\\4_task-[a-zA-Z0-9]+(_run-[0-9]+)?_(beh\\.(tsv|json)|events\\.tsv)");
     for (const auto& entry : fs::recursive_directory_iterator(out_)) {
         if (!entry.is_regular_file()) continue;
         const std::string name = fs::relative(entry.path(), out_).string();
@@ -298,7 +298,7 @@ TEST_F(DatasetExport, PsychDsMeasuresEveryColumnAndNumbersEveryRow) {
         }
         ++tables;
     }
-    EXPECT_EQ(tables, 4);
+    EXPECT_EQ(tables, 5);
 }
 
 TEST_F(DatasetExport, AnAnonymousExportOfAnyFormatTellsNothingOfWhoItWas) {

@@ -157,8 +157,9 @@ TEST(ForeignTables, ColumnsThatAreNotNeededDoNoHarmAndAreNamedOnce) {
 
 TEST(ForeignTables, EverySpellingOfYesNoAndMissingIsKnown) {
     constexpr std::pair<const char*, const char*> kSpellings[]{
-        {"1", "0"}, {"1.0", "0.0"}, {"TRUE", "FALSE"}, {"True", "False"}, {"true", "false"},
-        {"T", "F"}, {"yes", "no"},  {"Y", "N"},        {"1e0", "0e0"},    {"\"1\"", "\"0\""}};
+        {"1", "0"},        {"1.0", "0.0"},     {"TRUE", "FALSE"}, {"True", "False"},
+        {"true", "false"}, {"T", "F"},         {"yes", "no"},     {"Y", "N"},
+        {"1e0", "0e0"},    {"\"1\"", "\"0\""}, {"WAHR", "FALSCH"}};
     for (const auto& [yes, no] : kSpellings) {
         const std::string bytes = replaced(replaced(kPlain, ",1,", fmt::format(",{},", yes)), ",0,",
                                            fmt::format(",{},", no));
@@ -292,6 +293,7 @@ TEST(ForeignTables, JsonOfJspsychIsReadAndTrialsOfOtherKindsAreCountedAloud) {
               HasSubstr("--map 'condition_B=stimulus[1]'"), HasSubstr("--map chosen=response")));
     EXPECT_THAT(refusal_of("[" + welcome + "]", map),
                 HasSubstr("there is no column 'stimulus[0]'"));
+    EXPECT_EQ(words(tally(replaced(kPlain, "observer", "[name]"), {"observer=[name]"})), kMeant);
     EXPECT_THAT(refusal_of("[1, 2]"),
                 HasSubstr("t.csv:1: '1, 2]' stands where JSON has an object"));
     EXPECT_THAT(refusal_of("[{\"a\": 1},\n{\"b\": tru}]"), HasSubstr("t.csv:2: '{\"b\": tru}'"));
