@@ -50,9 +50,24 @@ char read_expected(TableReader& reader) {
     return '\0';
 }
 
+bool read_identical(TableReader& reader, const Condition& condition) {
+    if (!reader.boolean("identical", Need::kOptional).value_or(false)) return false;
+    if (condition.expected != '\0') {
+        reader.add("identical",
+                   "is true beside catch: of two images that are alike an attentive "
+                   "observer picks neither");
+    }
+    if (!condition.hypothesis.empty()) {
+        reader.add("identical", fmt::format("is true beside the hypothesis {}: two images that are "
+                                            "alike are no vote on it",
+                                            in_quotes(condition.hypothesis)));
+    }
+    return true;
+}
+
 void read_repeats(TableReader& reader, Condition& condition) {
     condition.repeats = reader.text("repeats", Need::kRequired).value_or("");
-    for (const char* key : {"scene", "hypothesis", "a", "b", "catch"}) {
+    for (const char* key : {"scene", "hypothesis", "a", "b", "catch", "identical"}) {
         if (!reader.has(key)) continue;
         reader.allow(key);
         reader.add(key, "is not allowed beside repeats, which takes it from the other condition");
@@ -87,6 +102,7 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
             repeat.hypothesis = original->hypothesis;
             repeat.a = original->a;
             repeat.b = original->b;
+            repeat.identical = original->identical;
         }
     }
     if (!study.conditions.empty() && repeatable.empty() &&

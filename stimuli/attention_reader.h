@@ -15,6 +15,10 @@ namespace obscura::stimuli {
 /// `catch = "a"` or `"b"` as 'A' or 'B'; 0 where it is missing or wrong.
 [[nodiscard]] char read_expected(TableReader& reader);
 
+/// Whether the images are meant to be alike; refuses what then has no meaning: a side to be picked
+/// and a hypothesis to vote on.
+[[nodiscard]] bool read_identical(TableReader& reader, const Condition& condition);
+
 /// `repeats`, the whole rest of its condition: whatever else but the id is refused. Which condition
 /// it is shows once all are read.
 void read_repeats(TableReader& reader, Condition& condition);

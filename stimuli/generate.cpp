@@ -16,6 +16,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/frame/explain.h"
 #include "renderer/gl/context.h"
+#include "stimuli/pairs.h"
 #include "stimuli/png.h"
 #include "stimuli/stimulus.h"
 
@@ -138,7 +139,7 @@ void refuse_another_study(const Study& study, const fs::path& folder) {
 
 /// The finished images in the study's order.
 Manifest manifest_of(const Study& study, const FinishedImages& finished) {
-    Manifest manifest{study.name, study.seed, renderer::gpu_renderer(), {}};
+    Manifest manifest{study.name, study.seed, renderer::gpu_renderer(), {}, {}};
     for (const Stimulus& stimulus : stimuli_of(study)) {
         const auto found = finished.find(stimulus.file());
         if (found != finished.end()) manifest.images.push_back(found->second.image);
@@ -149,6 +150,36 @@ Manifest manifest_of(const Study& study, const FinishedImages& finished) {
 bool is_current(const FinishedImages& finished, const std::string& file) {
     const auto found = finished.find(file);
     return found != finished.end() && found->second.current;
+}
+
+/// The finished pairs with their differences, and of those that nobody can tell apart why.
+std::vector<ManifestPair> pairs_with_reasons(const Study& study, const Manifest& manifest,
+                                             const fs::path& folder, StimulusRenderer& renderer) {
+    std::vector<ManifestPair> pairs = compared_pairs(study, manifest, folder);
+    for (ManifestPair& pair : pairs) {
+        const Condition& condition = *study.find_condition(pair.condition);
+        if (pair.difference.can_be_seen() || condition.identical || !pair.reason.empty()) continue;
+        pair.reason = renderer.reason_of_likeness(condition);
+    }
+    return pairs;
+}
+
+/// The differences that a manifest of the folder knows already.
+std::vector<ManifestPair> known_pairs(const fs::path& folder) {
+    try {
+        return load_manifest(folder / "manifest.json").pairs;
+    } catch (const base::Error&) {
+        return {};
+    }
+}
+
+/// The warnings that concern the selected pairs.
+std::vector<std::string> warnings_of_selected(const Study& study, const Selection& selection,
+                                              std::vector<ManifestPair> pairs) {
+    std::erase_if(pairs, [&](const ManifestPair& pair) {
+        return !selection.pair.empty() && pair.condition != selection.pair;
+    });
+    return warnings_of(study, pairs);
 }
 
 /// The lists of parts, which manifest.json replaces once it lists everything.
@@ -210,6 +241,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
     Generated generated;
+    PairsInTheMaking made;
     base::Progress progress("render", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         if (selection.buffers) {
@@ -222,7 +254,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             continue;
         }
         const renderer::Frame frame = renderer.render_next(stimulus);
-        const RgbImage image = image_of(frame);
+        RgbImage image = image_of(frame);
         if (is_of_one_colour(image)) {
             spdlog::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
@@ -230,6 +262,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
         base::write_file_atomically(folder / entry.file, bytes);
+        made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
         save_manifest(list, manifest_of(study, finished));
         ++generated.made;
@@ -241,9 +274,16 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     generated.complete = std::all_of(all.begin(), all.end(), [&](const Stimulus& stimulus) {
         return is_current(finished, stimulus.file());
     });
-    const bool up_to_date = generated.made == 0 && problems_of_stimuli(study, folder).empty();
+    Manifest manifest = manifest_of(study, finished);
+    const std::vector<ManifestPair> known = known_pairs(folder);
+    manifest.pairs = known;
+    manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
+    manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
+    generated.warnings = warnings_of_selected(study, selection, manifest.pairs);
+    const bool up_to_date = generated.made == 0 && known == manifest.pairs &&
+                            problems_of_stimuli(study, folder).empty();
     if (!up_to_date && (generated.complete || selection.shards == 1)) {
-        save_manifest(folder / "manifest.json", manifest_of(study, finished));
+        save_manifest(folder / "manifest.json", manifest);
     }
     if (generated.complete) remove_part_manifests(folder);
     return generated;
@@ -292,6 +332,8 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
         ++verified.checked;
         progress.step(title_of(stimulus));
     }
+    verified.warnings = warnings_of_selected(study, selection,
+                                             pairs_with_reasons(study, manifest, folder, renderer));
     return verified;
 }
 

@@ -25,6 +25,7 @@ struct Generated {
     int made = 0;
     int kept = 0;           ///< were there already, from the same inputs
     bool complete = false;  ///< every image of the study is there, and manifest.json lists them all
+    std::vector<std::string> warnings;  ///< of pairs that are alike (pairs.h), a sentence each
 };
 
 /// Makes the selected images in `folder`, without a display. Each file is written beside and
@@ -41,6 +42,7 @@ Generated generate(const Study& study, const Selection& selection,
 struct Verified {
     int checked = 0;
     std::vector<std::string> problems;  ///< a sentence each, naming the file
+    std::vector<std::string> warnings;  ///< of pairs that are alike (pairs.h), a sentence each
 };
 
 /// Renders the selected images in memory and says which files differ from what this program

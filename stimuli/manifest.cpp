@@ -97,6 +97,30 @@ ManifestImage image_from(const Json& json) {
     return image;
 }
 
+Json to_json(const ManifestPair& pair) {
+    return {{"condition", pair.condition},
+            {"a_sha256", pair.a_sha256},
+            {"b_sha256", pair.b_sha256},
+            {"differing_share", pair.difference.differing},
+            {"noticeable_share", pair.difference.over_threshold},
+            {"visible", pair.difference.visible},
+            {"largest_delta_e", pair.difference.largest_delta_e},
+            {"reason", pair.reason}};
+}
+
+ManifestPair pair_from(const Json& json) {
+    ManifestPair pair;
+    json.at("condition").get_to(pair.condition);
+    json.at("a_sha256").get_to(pair.a_sha256);
+    json.at("b_sha256").get_to(pair.b_sha256);
+    json.at("differing_share").get_to(pair.difference.differing);
+    json.at("noticeable_share").get_to(pair.difference.over_threshold);
+    json.at("visible").get_to(pair.difference.visible);
+    json.at("largest_delta_e").get_to(pair.difference.largest_delta_e);
+    json.at("reason").get_to(pair.reason);
+    return pair;
+}
+
 /// Looks at the file itself, since a manifest can be edited.
 std::string problem_of_size(const Study& study, const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string());
@@ -180,7 +204,7 @@ Manifest load_manifest(const std::filesystem::path& file) {
     const std::string text = base::read_file(file);
     Manifest manifest;
     std::size_t index = 0;
-    bool in_images = false;
+    std::string_view list;
     try {
         const Json json = Json::parse(text);
         json.at("study").get_to(manifest.study);
@@ -188,12 +212,18 @@ Manifest load_manifest(const std::filesystem::path& file) {
         json.at("gpu_renderer").get_to(manifest.gpu_renderer);
         const Json& images = json.at("images");
         if (!images.is_array()) throw base::bad_input("images is no array");
-        in_images = true;
+        list = "images";
         for (; index < images.size(); ++index) {
             manifest.images.push_back(image_from(images[index]));
         }
+        list = "pairs";  // older manifests have none
+        index = 0;
+        for (const Json& pair : json.value("pairs", Json::array())) {
+            manifest.pairs.push_back(pair_from(pair));
+            ++index;
+        }
     } catch (const std::exception& error) {  // of nlohmann-json, or bad input from above
-        const std::string where = in_images ? fmt::format("images[{}]: ", index) : "";
+        const std::string where = list.empty() ? "" : fmt::format("{}[{}]: ", list, index);
         throw base::bad_input("{}: not a manifest of stimuli: {}{}", file.string(), where,
                               error.what());
     }
@@ -204,8 +234,10 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest) 
     Json json = {{"study", manifest.study},
                  {"seed", manifest.seed},
                  {"gpu_renderer", manifest.gpu_renderer},
-                 {"images", Json::array()}};
+                 {"images", Json::array()},
+                 {"pairs", Json::array()}};
     for (const ManifestImage& image : manifest.images) json["images"].push_back(to_json(image));
+    for (const ManifestPair& pair : manifest.pairs) json["pairs"].push_back(to_json(pair));
     base::write_file_atomically(file, json.dump(2) + "\n");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "stimuli/image_difference.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
@@ -51,12 +52,24 @@ struct ManifestImage {
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };
 
+/// How far the two images of a condition are apart.
+struct ManifestPair {
+    std::string condition;
+    std::string a_sha256;  ///< of the images that were compared
+    std::string b_sha256;
+    ImageDifference difference;
+    std::string reason;  ///< the likely one where nobody could see a difference; empty: not known
+
+    bool operator==(const ManifestPair&) const = default;
+};
+
 /// `manifest.json` of a study's folder of stimuli.
 struct Manifest {
     std::string study;
     std::uint64_t seed = 0;
     std::string gpu_renderer;
     std::vector<ManifestImage> images;
+    std::vector<ManifestPair> pairs = {};  ///< of which both images were finished
 
     /// The entry of that condition and side ("a" or "b"), or nullptr.
     [[nodiscard]] const ManifestImage* find(const std::string& condition,

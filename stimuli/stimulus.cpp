@@ -15,6 +15,7 @@
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
 #include "stimuli/buffers.h"
+#include "stimuli/pairs.h"
 #include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
@@ -156,6 +157,12 @@ renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) 
     image.texts["obscura:variant"] = stimulus.choice().variant_name();
     image.texts["obscura:inputs_sha256"] = facts.inputs_sha256;
     return image;
+}
+
+std::string StimulusRenderer::reason_of_likeness(const Condition& condition) {
+    const PairBuffers pair{render_buffers({&condition, 'a'}), render_buffers({&condition, 'b'})};
+    return stimuli::reason_of_likeness(condition, *loaded_.opened.scene,
+                                       view_of({&condition, 'a'}).camera, pair);
 }
 
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,

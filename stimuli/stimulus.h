@@ -55,6 +55,9 @@ class StimulusRenderer {
     /// rest 0.
     [[nodiscard]] renderer::FloatImage render_buffers(const Stimulus& stimulus);
 
+    /// Why nobody could tell the condition's two images apart, as a clause (pairs.h).
+    [[nodiscard]] std::string reason_of_likeness(const Condition& condition);
+
     /// What the manifest says of a rendered image; file hashes are left empty.
     [[nodiscard]] ManifestImage describe(const Stimulus& stimulus,
                                          const renderer::Frame& frame) const;

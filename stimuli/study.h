@@ -49,6 +49,7 @@ struct Condition {
         '\0';  ///< 'A' or 'B': the side an attentive observer picks, of an attention check
     /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.
     std::string repeats;
+    bool identical = false;  ///< its images are meant to be alike, to see what people answer then
 };
 
 /// Whom a study leaves out, fixed before there are data. What is not given is not asked.

@@ -163,12 +163,16 @@ Condition read_condition(TableReader& reader, const std::string& where,
         }
     }
     condition.hypothesis = reader.text("hypothesis", Need::kOptional).value_or("");
+    condition.identical = read_identical(reader, condition);
     const auto a = read_side(reader, "a", where, problems);
     const auto b = read_side(reader, "b", where, problems);
     if (a) condition.a = *a;
     if (b) condition.b = *b;
-    if (a && b && *a == *b) {
-        reader.add("b", "is the same as a in every way: there would be nothing to choose between");
+    if (a && b && *a == *b && !condition.identical) {
+        reader.add(
+            "b",
+            "is the same as a in every way: there would be nothing to choose between; a pair "
+            "that is meant so says identical = true");
     }
     reader.finish();
     return condition;

@@ -125,6 +125,16 @@ const toml::node* TableReader::find(const std::string& key, Need need) {
     return value;
 }
 
+std::optional<bool> TableReader::boolean(const std::string& key, Need need) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_boolean()) {
+        wrong_type(key, *value, "true or false");
+        return std::nullopt;
+    }
+    return **value->as_boolean();
+}
+
 std::optional<std::string> TableReader::text(const std::string& key, Need need) {
     const toml::node* value = find(key, need);
     if (value == nullptr) return std::nullopt;

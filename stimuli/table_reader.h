@@ -39,6 +39,7 @@ class TableReader {
     TableReader(const toml::table& table, std::string where, std::vector<StudyProblem>& problems);
 
     std::optional<std::string> text(const std::string& key, Need need);
+    std::optional<bool> boolean(const std::string& key, Need need);
     std::optional<std::int64_t> integer(const std::string& key, Need need, std::int64_t low,
                                         std::int64_t high);
     std::optional<double> number(const std::string& key, Need need);

@@ -57,6 +57,46 @@ TEST(AttentionInStudy, ARepeatMayStandBeforeWhatItRepeats) {
     EXPECT_EQ(reading.study.conditions.front().b.technique, "blizzard");
 }
 
+constexpr std::string_view kIdentical = R"(
+[[condition]]
+id = "same"
+scene = "court"
+identical = true
+a = { technique = "blizzard" }
+b = { technique = "blizzard" }
+
+[[condition]]
+id = "same-again"
+repeats = "same"
+)";
+
+TEST(AttentionInStudy, APairMayBeTheSameOnBothSidesWhereItSaysSo) {
+    const StudyReading reading = read(std::string(kSmallStudy) + std::string(kIdentical));
+    ASSERT_EQ(to_lines(reading.problems, "study"), "");
+    EXPECT_FALSE(reading.study.conditions[0].identical);
+    EXPECT_TRUE(reading.study.conditions[2].identical);
+    EXPECT_TRUE(reading.study.conditions[3].identical);
+}
+
+TEST(AttentionInStudy, APairThatIsTheSameOnBothSidesIsRefusedWithTheKeyThatAllowsIt) {
+    std::string text = std::string(kSmallStudy) + std::string(kIdentical);
+    const std::string key = "identical = true\n";
+    text.erase(text.find(key), key.size());
+    EXPECT_THAT(to_lines(read(text).problems, "study"), HasSubstr("identical = true"));
+}
+
+TEST(AttentionInStudy, AnIdenticalPairHasNoSideToPickAndNoHypothesis) {
+    for (const char* key : {"catch = \"a\"\n", "hypothesis = \"H1\"\n"}) {
+        std::string text = std::string(kSmallStudy) + std::string(kIdentical);
+        text.insert(text.find("identical"), key);
+        EXPECT_THAT(to_lines(read(text).problems, "study"), HasSubstr("identical: is true beside"))
+            << key;
+    }
+    std::string text = std::string(kSmallStudy) + std::string(kIdentical);
+    text.replace(text.find("= true"), 6, "= \"yes\"");
+    EXPECT_THAT(to_lines(read(text).problems, "study"), HasSubstr("allowed is true or false"));
+}
+
 /// One edit of the study and the only problem that it makes.
 struct Bad {
     std::string_view from;

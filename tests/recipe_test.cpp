@@ -285,7 +285,8 @@ TEST_F(Recipes, OfColourRunForEverySampleAndUnderWhatIsSeenThrough) {
 }
 
 TEST_F(Recipes, CarryTwoFramesOfWhichTheSecondKnowsTheFirst) {
-    const Frame frame = draw(technique_of("Averaged", Output::kAccessibility, averaged));
+    const Frame frame =
+        draw(technique_of("Averaged", Output::kAccessibility, averaged), {.all_buffers = true});
     const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
     const std::vector<float> open = frame.read_accessibility();
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -298,7 +299,7 @@ TEST_F(Recipes, CarryTwoFramesOfWhichTheSecondKnowsTheFirst) {
 }
 
 TEST_F(Recipes, LeaveNothingUnsaidBetweenStepsAndShaders) {
-    for (const auto& [recipe, output] : {std::pair(pyramid, Output::kAccessibility),
+    for (const auto& [recipe, output] : {std::pair(&pyramid, Output::kAccessibility),
                                          {parted, Output::kAccessibility},
                                          {halved, Output::kColour},
                                          {averaged, Output::kAccessibility}}) {

@@ -170,6 +170,7 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     const Variant choice = variant_from(options.variant);
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
+    for (const std::string& note : source.notes) spdlog::warn("{}: {}", source.source, note);
     const std::string camera = source.camera_for(options.camera);
     const stimuli::Validity validity = source.level_for(options.validity);
     const renderer::Scene scene = source.build();

@@ -7,12 +7,25 @@
 
 #include "app/commands/list.h"
 #include "renderer/base/error.h"
+#include "stimuli/manifest.h"
+#include "stimuli/pairs.h"
 #include "stimuli/study_warnings.h"
 
 namespace obscura::app {
 namespace {
 
-base::ExitCode check(const std::string& file_or_name) {
+/// What may not be as the author expects, of the study and of its images where they are there.
+std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals& globals) {
+    std::vector<std::string> warnings = stimuli::warnings_of(study);
+    const std::filesystem::path folder = stimuli::stimuli_folder(globals.data, study);
+    for (std::string& warning :
+         stimuli::warnings_of(study, stimuli::compared_pairs(study, folder))) {
+        warnings.push_back(std::move(warning));
+    }
+    return warnings;
+}
+
+base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
     const stimuli::StudySource source = stimuli::study_source(file_or_name);
     stimuli::Study study;
     try {
@@ -22,12 +35,15 @@ base::ExitCode check(const std::string& file_or_name) {
         fmt::print("{}\n", problems.what());
         return base::ExitCode::kBadInput;
     }
-    for (const std::string& warning : stimuli::warnings_of(study)) {
+    const std::vector<std::string> warnings = warnings_of(study, globals);
+    for (const std::string& warning : warnings) {
         fmt::print("{}: warning: {}\n", source.name, warning);
     }
     const std::size_t conditions = study.conditions.size();
-    fmt::print("{}: {} condition{}, {} images, no problems\n", source.name, conditions,
-               conditions == 1 ? "" : "s", 2 * conditions);
+    const std::size_t count = warnings.size();
+    fmt::print("{}: {} condition{}, {} images, no problems{}\n", source.name, conditions,
+               conditions == 1 ? "" : "s", 2 * conditions,
+               count == 0 ? "" : fmt::format(", {} warning{}", count, count == 1 ? "" : "s"));
     return base::ExitCode::kDone;
 }
 
@@ -35,12 +51,12 @@ base::ExitCode check(const std::string& file_or_name) {
 
 Command check_command() {
     return {"check", "Say everything that is wrong with a study file, each with its line",
-            [](CLI::App& options, const Globals&) -> std::function<base::ExitCode()> {
+            [](CLI::App& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto study = std::make_shared<std::string>();
                 options.add_option("STUDY", *study,
                                    "Study file, or the name of a built-in study; default: "
                                    "jakobsen2010");
-                return [study] { return check(*study); };
+                return [study, &globals] { return check(*study, globals); };
             }};
 }
 

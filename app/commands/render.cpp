@@ -38,6 +38,7 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
                       const std::filesystem::path& folder, bool quiet) {
     const stimuli::Verified verified = stimuli::verify(study, options.selection, folder, quiet);
     for (const std::string& problem : verified.problems) fmt::print(stderr, "{}\n", problem);
+    for (const std::string& warning : verified.warnings) spdlog::warn("warning: {}", warning);
     if (!verified.problems.empty()) {
         throw base::check_failed("{} of {} images in {} do not hold", verified.problems.size(),
                                  verified.checked, folder.string());
@@ -62,6 +63,7 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     if (options.verify) return verify(study, options, folder, globals.quiet);
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
+    for (const std::string& warning : generated.warnings) spdlog::warn("warning: {}", warning);
     spdlog::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
                  generated.kept,
                  generated.complete ? "the study is complete" : "the study is not complete yet");

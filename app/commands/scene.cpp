@@ -72,6 +72,7 @@ base::ExitCode export_scene(const SceneOptions& options) {
                               options.out);
     }
     const stimuli::OpenedScene scene = open(options);
+    for (const std::string& note : scene.notes) spdlog::warn("{}: {}", scene.title, note);
     // The lights of the richest level; glTF holds no environment.
     const renderer::Lighting lighting = scene.lighting(scene.levels.back());
     const std::string bytes = renderer::to_glb(*scene.scene, lighting);

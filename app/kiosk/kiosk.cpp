@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/manifest.h"
+#include "stimuli/pairs.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -29,6 +30,18 @@ void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& 
     if (problems.empty()) return;
     throw base::bad_input("the stimuli of {} are not ready:\n  {}\nmake them with: {}", study.name,
                           fmt::join(problems, "\n  "), options.remedy);
+}
+
+/// Nobody is asked to choose between images that nobody can tell apart, unless the study means it.
+void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& manifest,
+                        const std::filesystem::path& folder) {
+    const std::vector<std::string> alike =
+        stimuli::alike_pairs(study, stimuli::compared_pairs(study, manifest, folder));
+    if (alike.empty()) return;
+    throw base::bad_input(
+        "{} has pairs that nobody can tell apart:\n  {}\nmend the study and render it again, or "
+        "say identical = true in the condition of a pair that is meant so",
+        study.name, fmt::join(alike, "\n  "));
 }
 
 /// One kiosk in its window.
@@ -168,6 +181,7 @@ class Kiosk {
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_incomplete_stimuli(study, options);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
+    refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
     Window window({options.monitor, options.windowed, {study.width, study.height}});
     // Opened once to refuse what is no store before a lock is made beside it, and again under the

@@ -12,6 +12,7 @@
 #include "renderer/frame/plan.h"
 #include "renderer/light/shadow.h"
 #include "renderer/scene/surface_conversion.h"
+#include "stimuli/scenes/backs.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -199,8 +200,12 @@ std::string inspection_of(const OpenedScene& scene, const renderer::TechniqueCho
     text += fmt::format("bounds: {} to {} m, which is {} m\n", vector_text(bounds.low_m),
                         vector_text(bounds.high_m), vector_text(bounds.high_m - bounds.low_m));
     text += surfaces_text(content) + cameras_text(content);
-    text += fmt::format("notes: {}\n", scene.notes.empty() ? "none" : "");
-    for (const std::string& note : scene.notes) text += fmt::format("  {}\n", note);
+    std::vector<std::string> notes = scene.notes;
+    if (const std::string backs = note_on_backs(scene, content.cameras); !backs.empty()) {
+        notes.push_back(backs);
+    }
+    text += fmt::format("notes: {}\n", notes.empty() ? "none" : "");
+    for (const std::string& note : notes) text += fmt::format("  {}\n", note);
     if (!scene.files.empty()) text += fmt::format("files: {}\n", scene.files.size());
     for (const renderer::ImportedFile& file : scene.files) {
         text += fmt::format("  {} (SHA-256 {})\n", file.path.string(), file.sha256);

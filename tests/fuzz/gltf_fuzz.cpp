@@ -11,8 +11,8 @@
 /// Any bytes are a sound scene or refused as bad input. No file beside them can be read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace obscura::renderer;
-    import_detail::FilesRead files("/nowhere");
     import_detail::Notes notes;
+    import_detail::FilesRead files("/nowhere", {}, notes);
     try {
         ImportedScene imported = import_detail::import_gltf(
             std::string(reinterpret_cast<const char*>(data), size), "fuzz", {}, files, notes);

@@ -6,16 +6,20 @@
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/import/mtl_text.h"
 #include "renderer/import/obj_check.h"
 
 /// What is checked can be checked again and is the same to the count: the text that the mesh
-/// library gets is sound.
+/// library gets is sound. Any bytes are materials.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace obscura::renderer::import_detail;
     Notes notes;
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    for (const MtlMaterial& material : read_mtl(text, "fuzz", notes)) {
+        if (material.d && !(*material.d >= 0.0 && *material.d <= 1.0)) std::abort();
+    }
     try {
-        const CheckedObj once =
-            check_obj(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz", notes);
+        const CheckedObj once = check_obj(text, "fuzz", notes);
         const CheckedObj twice = check_obj(once.text, "fuzz", notes);
         if (once.triangles != twice.triangles || once.text != twice.text) std::abort();
     } catch (const obscura::base::Error& error) {

@@ -34,6 +34,28 @@ inline void expect_sound(const renderer::Mesh& mesh) {
     EXPECT_EQ(wrong, 0U) << "vertices that are not finite, or whose normal or tangent is not unit";
 }
 
+/// Triangles with a vertex normal more than 90 degrees off their face: light and the ray traced
+/// truth take such a surface for its own back. A sliver without an area to speak of has no face.
+inline std::vector<std::size_t> turned_triangles(const renderer::Mesh& mesh) {
+    std::vector<std::size_t> turned;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const renderer::Vertex& a = mesh.vertices[mesh.indices[i]];
+        const renderer::Vertex& b = mesh.vertices[mesh.indices[i + 1]];
+        const renderer::Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+        // In double precision: edges of 10 micrometres have little of single precision left.
+        const glm::dvec3 p(a.position_m);
+        const glm::dvec3 face =
+            glm::cross(glm::dvec3(b.position_m) - p, glm::dvec3(c.position_m) - p);
+        for (const renderer::Vertex* vertex : {&a, &b, &c}) {
+            if (glm::dot(glm::dvec3(vertex->normal), face) < 0.0) {
+                turned.push_back(i / 3);
+                break;
+            }
+        }
+    }
+    return turned;
+}
+
 /// Edges, as pairs of places, that one triangle crosses one way and none crosses the other way.
 inline std::vector<std::pair<glm::vec3, glm::vec3>> open_edges(const renderer::Mesh& mesh) {
     const auto count = static_cast<std::uint32_t>(mesh.vertices.size());

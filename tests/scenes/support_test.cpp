@@ -11,6 +11,7 @@
 #include "stimuli/scenes/support/mesh_builder.h"
 #include "stimuli/scenes/support/noise.h"
 #include "stimuli/scenes/support/texture_maker.h"
+#include "tests/scenes/mesh_soundness.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -55,6 +56,50 @@ TEST(MeshBuilder, BoxesFaceOutwards) {
     const Mesh cut = bevelled_box({1.0F, 2.0F, 3.0F}, 0.1F);
     EXPECT_LT(volume_m3(cut), 6.0);
     EXPECT_GT(volume_m3(cut), 5.8);
+}
+
+TEST(MeshBuilder, PatchesThatComeToAPointAreClosedThereWithoutFlatTriangles) {
+    PatchOptions options;
+    options.columns = 12;
+    options.rows = 6;
+    options.closed_u = true;
+    const Mesh ball = patch(options, [](float u, float v) {
+        const float a = u < 1.0F ? glm::two_pi<float>() * u : 0.0F;
+        const float b =
+            glm::pi<float>() * (v - 0.5F);  // whose cosine is a little off 0 at the poles
+        return glm::vec3(std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b));
+    });
+    EXPECT_EQ(ball.indices.size() / 3, 2U * 12U * 6U - 2U * 12U);
+    EXPECT_TRUE(open_edges(ball).empty());
+    EXPECT_TRUE(turned_triangles(ball).empty());
+}
+
+TEST(MeshBuilder, NormalsAreTurnedOutwardsWithTheirVertexSplitOnlyWhereNoOneNormalServes) {
+    // Two slopes that meet in a ridge, with normals that point into the ground.
+    Mesh tent;
+    for (const glm::vec3& place : {glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0),
+                                   glm::vec3(0, 1, -2), glm::vec3(-1, 0, -2)}) {
+        Vertex vertex;
+        vertex.position_m = place;
+        vertex.normal = {0.0F, -1.0F, 0.0F};
+        tent.vertices.push_back(vertex);
+    }
+    tent.indices = {0, 2, 3, 0, 3, 4, 1, 3, 2};
+    ASSERT_EQ(turned_triangles(tent).size(), 3U);
+    turn_normals_outwards(tent);
+    expect_sound(tent);
+    EXPECT_TRUE(turned_triangles(tent).empty());
+    EXPECT_EQ(tent.vertices.size(), 5U) << "the mean serves both slopes";
+    // A blade so sharp that its sides look away from each other and from their mean.
+    Mesh blade = tent;
+    blade.vertices[1].position_m = {-1.1F, 0.3F, 0.0F};
+    blade.vertices[2].normal = {1.0F, 0.0F, 0.0F};
+    turn_normals_outwards(blade);
+    EXPECT_TRUE(turned_triangles(blade).empty());
+    EXPECT_GT(blade.vertices.size(), 5U);
+    const Mesh before = blade;
+    turn_normals_outwards(blade);
+    EXPECT_TRUE(same_mesh(before, blade)) << "what holds is left as it is";
 }
 
 TEST(MeshBuilder, SurfacesOfRevolutionFaceOutwards) {

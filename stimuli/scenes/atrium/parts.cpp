@@ -59,6 +59,11 @@ void Site::put(Surface surface, const Mesh& part, const glm::mat4& transform, st
     append(mesh(surface), part, placement);
 }
 
+renderer::Scene Site::take() {
+    for (renderer::Mesh& mesh : scene_.meshes) turn_normals_outwards(mesh);
+    return std::move(scene_);
+}
+
 void Site::put_mapped(Surface surface, const Mesh& part, const glm::mat4& transform,
                       const vec3& tint) {
     Placement placement;

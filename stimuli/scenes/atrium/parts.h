@@ -71,7 +71,7 @@ class Site {
     }
 
     /// The finished scene; the site is empty afterwards.
-    [[nodiscard]] renderer::Scene take() { return std::move(scene_); }
+    [[nodiscard]] renderer::Scene take();
 
   private:
     renderer::Scene scene_;

@@ -10,9 +10,9 @@ namespace obscura::stimuli::relic {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kScalesAround = 16;
+constexpr int kScalesAround = 12;
 constexpr float kScaleLength = 0.95F;  ///< of a row, in widths of a scale
-constexpr float kScaleHigh_m = 0.0125F;
+constexpr float kScaleHigh_m = 0.028F;
 
 float smooth(float low, float high, float value) {
     const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
@@ -55,11 +55,11 @@ float scale_height(float around, float row) {
         const float shifted = around + (j % 2 == 0 ? 64.0F : 63.5F);
         const float x = shifted - static_cast<float>(static_cast<int>(shifted + 0.5F));
         const float y = row - static_cast<float>(j);
-        const float out = std::sqrt(x * x / (0.56F * 0.56F) + y * y / (0.98F * 0.98F));
+        const float out = std::sqrt(x * x / (0.51F * 0.51F) + y * y / (0.90F * 0.90F));
         const float lift = 0.60F - 0.40F * y;
         const float keel = 0.16F * smooth(0.16F, 0.0F, std::abs(x));
         if (out >= 1.0F) continue;
-        highest = std::max(highest, smooth(1.0F, 0.72F, out) * (lift + keel));
+        highest = std::max(highest, smooth(1.0F, 0.70F, out) * (lift + keel));
     }
     return highest;
 }

@@ -37,8 +37,10 @@ void leave_out_underside(renderer::Mesh& mesh) {
 }
 
 renderer::Scene build() {
-    constexpr float kCell_m = 0.0058F;
-    constexpr float kHeadCell_m = 0.0034F;
+    // A scale of the legs is 25 mm wide, a petal of the base 70 mm.
+    constexpr float kBodyCell_m = 0.0053F;
+    constexpr float kBaseCell_m = 0.0085F;
+    constexpr float kHeadCell_m = 0.0038F;
     renderer::Scene scene;
     scene.name = "relic";
     scene.materials.push_back(
@@ -48,18 +50,21 @@ renderer::Scene build() {
     relic::add_body(body, spine);
     relic::add_limbs(body);
     relic::add_crest(body, spine);
-    relic::add_base(body);
+    Sculpture base;
+    relic::add_base(base);
     Sculpture head;
     relic::add_head(head);
     relic::add_mane(head);
     for (auto& [name, sculpture, cell_m] :
-         {std::tuple{"body and base", &body, kCell_m}, std::tuple{"head", &head, kHeadCell_m}}) {
+         {std::tuple{"body", &body, kBodyCell_m}, std::tuple{"base", &base, kBaseCell_m},
+          std::tuple{"head", &head, kHeadCell_m}}) {
         renderer::Mesh mesh = polygonise(*sculpture, cell_m, veined);
         mesh.name = name;
         leave_out_underside(mesh);
         scene.meshes.push_back(std::move(mesh));
     }
-    // The piece is 1.15 m high and fills 70 % of the frame's height.
+    // The first is near enough for the scales to be seen one by one: the dragon fills half of the
+    // frame. The others show all of the piece, 1.15 m high, and its head.
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
         renderer::Camera result;
         result.name = name;
@@ -70,7 +75,7 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.25F, 0.85F, 3.2F}, {0.02F, 0.57F, 0.0F}, 0.55F),
+    scene.cameras = {camera("front", {-0.42F, 1.30F, 1.00F}, {-0.03F, 0.635F, 0.06F}, 0.53F),
                      camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.57F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;

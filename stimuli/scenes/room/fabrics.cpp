@@ -185,7 +185,9 @@ Mesh cushion(const vec3& size_m, float bulge_m) {
         const float a = glm::two_pi<float>() * u;
         const float b = glm::pi<float>() * (v - 0.5F);
         constexpr float kSquare = 0.28F;
-        const float flat = power(std::cos(b), kSquare);
+        // In single precision the cosine of a quarter turn is a little below zero, which the power
+        // makes a hundredth: the poles would be inside out.
+        const float flat = power(std::max(std::cos(b), 0.0F), kSquare);
         vec3 p(power(std::sin(a), kSquare) * flat, power(std::sin(b), kSquare),
                power(std::cos(a), kSquare) * flat);
         const vec3 inner = 1.0F - p * p;

@@ -99,24 +99,31 @@ void put_shelves(Assembly& study) {
     const float width = kShelfRight - kShelfLeft;
     const float z = kBack + 0.5F * kShelfDepth + 0.02F;
     const float high = 2.17F;
-    for (const float x : {kShelfLeft - 0.0125F, kShelfMiddle, kShelfRight + 0.0125F}) {
-        put_board(study, {0.025F, high - 0.0F, kShelfDepth + 0.02F}, moved(x, 0.5F * high, z),
+    constexpr float kUpright = 0.025F;
+    for (const float x :
+         {kShelfLeft - 0.5F * kUpright, kShelfMiddle, kShelfRight + 0.5F * kUpright}) {
+        put_board(study, {kUpright, high, kShelfDepth + 0.02F}, moved(x, 0.5F * high, z),
                   240U + static_cast<std::uint32_t>(10.0F * x));
     }
+    // Shelves and the boards of the back are let into what they meet, so that nothing shows through
+    // a joint; a sheet behind the boards closes those between them.
+    constexpr float kLetIn = 0.004F;
     std::uint32_t seed = 260;
     for (const float y : kShelf_m) {
         for (const float half : {-1.0F, 1.0F}) {
-            const float x = middle + half * 0.25F * width;
-            put_board(study, {0.5F * width - 0.026F, 0.022F, kShelfDepth}, moved(x, y - 0.011F, z),
-                      seed++);
+            const float x = middle + half * (0.25F * width + 0.25F * kUpright);
+            put_board(study, {0.5F * (width - kUpright) + 2.0F * kLetIn, 0.022F, kShelfDepth},
+                      moved(x, y - 0.011F, z), seed++);
         }
     }
     for (int i = 0; i < 12; ++i) {
-        put_board(study, {width / 12.0F - 0.0015F, high - 0.04F, 0.010F},
-                  moved(kShelfLeft + width * (static_cast<float>(i) + 0.5F) / 12.0F, 0.5F * high,
-                        kBack + 0.012F),
+        put_board(study, {width / 12.0F - 0.0015F, high + kLetIn, 0.010F},
+                  moved(kShelfLeft + width * (static_cast<float>(i) + 0.5F) / 12.0F,
+                        0.5F * (high + kLetIn), kBack + 0.0165F),
                   seed++, 0.002F);
     }
+    put_board(study, {width + kUpright, high + kLetIn, 0.008F},
+              moved(middle, 0.5F * (high + kLetIn), kBack + 0.009F), seed++, 0.001F);
     put_board(study, {width + 0.08F, 0.085F, 0.022F}, moved(middle, 0.042F, z + 0.5F * kShelfDepth),
               seed++);
     // A stepped cornice.

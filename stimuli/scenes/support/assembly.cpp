@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "stimuli/scenes/support/noise.h"
+#include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli {
 
@@ -52,6 +53,9 @@ void Assembly::put_at(std::size_t surface, const renderer::Mesh& part, const glm
 
 renderer::Scene Assembly::take() {
     std::erase_if(scene_.meshes, [](const renderer::Mesh& mesh) { return mesh.indices.empty(); });
+    for_each_row(static_cast<int>(scene_.meshes.size()), [this](int i) {
+        turn_normals_outwards(scene_.meshes[static_cast<std::size_t>(i)]);
+    });
     return std::exchange(scene_, {});
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "stimuli/scenes/support/mesh_builder.h"
 #include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli {
@@ -308,6 +309,7 @@ class Mesher {
         for (const Block& block : blocks_) {
             mesh.indices.insert(mesh.indices.end(), block.indices.begin(), block.indices.end());
         }
+        turn_normals_outwards(mesh);
         return mesh;
     }
 

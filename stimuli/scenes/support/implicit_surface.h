@@ -103,7 +103,8 @@ using Painter = std::function<glm::vec3(const glm::vec3& position_m, const glm::
                                         const glm::vec3& tint)>;
 
 /// Triangulates the zero surface by surface nets (Gibson 1998) on a grid of cells of `cell_m`, its
-/// vertices then moved onto the surface, normals from the field's gradient. Blocks of cells that
+/// vertices then moved onto the surface, normals from the field's gradient where
+/// the triangles follow it. Blocks of cells that
 /// the surface cannot reach are never looked at. The result does not depend on the number of
 /// threads. Tangents are set perpendicular to the normals; uv stays 0.
 [[nodiscard]] renderer::Mesh polygonise(const Sculpture& sculpture, float cell_m,

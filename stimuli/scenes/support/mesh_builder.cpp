@@ -62,6 +62,17 @@ Vertex patch_vertex(const PatchOptions& options,
     return vertex;
 }
 
+/// A row of vertices that comes to a point but for rounding comes to the same place to the last
+/// bit.
+void bring_to_a_point(Mesh& mesh, Index first, Index last) {
+    constexpr float kRounding_m = 1e-6F;
+    const glm::vec3 place = mesh.vertices[first].position_m;
+    for (Index i = first; i <= last; ++i) {
+        if (glm::distance(mesh.vertices[i].position_m, place) > kRounding_m) return;
+    }
+    for (Index i = first; i <= last; ++i) mesh.vertices[i].position_m = place;
+}
+
 /// Length along a polyline up to each of its points.
 template <typename Point>
 std::vector<float> lengths_along(std::span<const Point> points, bool closed) {
@@ -116,9 +127,17 @@ Mesh patch(const PatchOptions& options, const std::function<glm::vec3(float, flo
         }
     }
     const auto at = [&](int i, int j) { return static_cast<Index>(j * (columns + 1) + i); };
+    bring_to_a_point(mesh, at(0, 0), at(columns, 0));
+    bring_to_a_point(mesh, at(0, rows), at(columns, rows));
+    const auto add = [&](Index a, Index b, Index c) {
+        const auto place = [&](Index k) { return mesh.vertices[k].position_m; };
+        if (place(a) == place(b) || place(b) == place(c) || place(c) == place(a)) return;
+        mesh.indices.insert(mesh.indices.end(), {a, b, c});
+    };
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
-            add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+            add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
         }
     }
     return mesh;

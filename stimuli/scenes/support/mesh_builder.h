@@ -82,6 +82,12 @@ void project_box_uv(renderer::Mesh& mesh);
 /// Triangles without area are removed. Tangents are made anew.
 void smooth_normals(renderer::Mesh& mesh, float crease_rad);
 
+/// Puts every vertex normal on the outer side of each face that it is used by, at most 90 degrees
+/// off: a vertex whose normal is not takes the area-weighted mean of its faces, and where that does
+/// not hold for all of them, those that it is turned for get vertices of their own. For meshes
+/// whose normals come from a formula, which knows nothing of how coarsely the surface was cut.
+void turn_normals_outwards(renderer::Mesh& mesh);
+
 /// Unit tangents along +u with handedness, from uv; perpendicular to the normals.
 void make_tangents(renderer::Mesh& mesh);
 

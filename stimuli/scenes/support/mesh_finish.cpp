@@ -163,6 +163,61 @@ void smooth_normals(Mesh& mesh, float crease_rad) {
     make_tangents(mesh);
 }
 
+namespace {
+
+/// Twice the area along the normal. In double precision, since a sliver's sides of micrometres have
+/// little left of single precision.
+glm::dvec3 exact_area_vector(const Mesh& mesh, std::size_t triangle) {
+    const glm::dvec3 a(mesh.vertices[mesh.indices[3 * triangle]].position_m);
+    const glm::dvec3 b(mesh.vertices[mesh.indices[3 * triangle + 1]].position_m);
+    const glm::dvec3 c(mesh.vertices[mesh.indices[3 * triangle + 2]].position_m);
+    return glm::cross(b - a, c - a);
+}
+
+void set_normal(Vertex& vertex, const glm::dvec3& normal) {
+    vertex.normal = glm::vec3(normal);
+    const glm::vec3 along(vertex.tangent);
+    const glm::vec3 flat = along - vertex.normal * glm::dot(vertex.normal, along);
+    const float length = glm::length(flat);
+    const glm::vec3 tangent = length > 1e-3F ? flat / length : any_perpendicular(vertex.normal);
+    vertex.tangent = glm::vec4(tangent, vertex.tangent.w);
+}
+
+/// The vertices that a face of theirs turns its back on.
+std::vector<bool> turned_vertices(const Mesh& mesh) {
+    std::vector<bool> turned(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::uint32_t at = mesh.indices[i];
+        const glm::dvec3 face = exact_area_vector(mesh, i / 3);
+        if (glm::dot(glm::dvec3(mesh.vertices[at].normal), face) < 0.0) turned[at] = true;
+    }
+    return turned;
+}
+
+}  // namespace
+
+void turn_normals_outwards(Mesh& mesh) {
+    const std::vector<bool> turned = turned_vertices(mesh);
+    if (std::find(turned.begin(), turned.end(), true) == turned.end()) return;
+    std::unordered_map<std::uint32_t, glm::dvec3> mean;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (!turned[mesh.indices[i]]) continue;
+        mean.try_emplace(mesh.indices[i], 0.0).first->second += exact_area_vector(mesh, i / 3);
+    }
+    for (const auto& [at, sum] : mean) {
+        if (glm::length(sum) > 0.0) set_normal(mesh.vertices[at], glm::normalize(sum));
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (!turned[mesh.indices[i]]) continue;
+        const glm::dvec3 face = exact_area_vector(mesh, i / 3);
+        Vertex own = mesh.vertices[mesh.indices[i]];
+        if (!(glm::dot(glm::dvec3(own.normal), face) < 0.0)) continue;
+        set_normal(own, glm::normalize(face));
+        mesh.indices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(own);
+    }
+}
+
 void make_tangents(Mesh& mesh) {
     std::vector<glm::vec3> along_u(mesh.vertices.size(), glm::vec3(0.0F));
     std::vector<glm::vec3> along_v(mesh.vertices.size(), glm::vec3(0.0F));
