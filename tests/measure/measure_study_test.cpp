@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <map>
 #include <set>
 
 #include "app/measure/measure.h"
@@ -200,6 +202,7 @@ TEST_F(MeasuredStudy, IsFittedIntoAStudyThatRunsFromWhereItIsWritten) {
     request.samples = {24};
     request.fit = true;
     request.write_study = folder_ / "elsewhere" / "deep" / "fitted.toml";
+    std::filesystem::create_directories(request.write_study.parent_path());
     const Measured measured = measure(request);
     const stimuli::Study written =
         stimuli::parse_study(measured.fitted_study, "fitted.toml", folder_ / "elsewhere" / "deep");
@@ -211,8 +214,6 @@ TEST_F(MeasuredStudy, IsFittedIntoAStudyThatRunsFromWhereItIsWritten) {
         EXPECT_NE(now.a.parameters, before.find_condition(id)->a.parameters) << id;
         EXPECT_NE(now.a.parameters, now.b.parameters) << id;
     }
-    EXPECT_NE(written.find_condition("I")->a.parameters, written.find_condition("II")->a.parameters)
-        << "each camera has its fit";
     const stimuli::Condition& same = *written.find_condition("same");
     EXPECT_EQ(same.a.parameters, before.find_condition("same")->a.parameters);
     EXPECT_EQ(same.b.parameters, before.find_condition("same")->b.parameters);
