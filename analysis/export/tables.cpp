@@ -104,7 +104,8 @@ constexpr const char* kExpected =
     "Variant that an attentive observer picks; empty: no attention check";
 constexpr const char* kRepeats =
     "Condition whose answer this one repeats, which is then no vote; empty: none";
-constexpr const char* kVariant = "Technique and samples of variant ";
+constexpr const char* kVariant =
+    "Technique and samples, with what differs where two would have one name, of variant ";
 
 }  // namespace
 
@@ -126,7 +127,8 @@ const ExportTable<ParticipantRecord>& participants_export() {
              of<&R::age_years>,
              true},
             {"gender",
-             "Gender in the participant's own words; empty: not said",
+             "Gender: female, male, rather not say, or the participant's own words; empty: no "
+             "answer",
              {},
              "",
              of<&R::gender>,
@@ -335,6 +337,14 @@ const ExportTable<TrialRow>& trials_export() {
              {},
              "",
              of_trial<&T::dropped_frames>},
+            {"hidden_ms",
+             "How long, from the first image's onset to the answer, the screen was not to be seen "
+             "whole and in front (focus lost, iconified, covered, resized, monitor off) or covered "
+             "by the operator's question; no part of the times seen or of the response time; "
+             "empty: not measured",
+             {},
+             "ms",
+             of_trial<&T::hidden_ms>},
             {"answered_utc",
              std::string(kUtc) + ", of the answer",
              {},

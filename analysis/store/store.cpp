@@ -302,10 +302,11 @@ void Store::each_session_with_events(
 void Store::each_answer(const std::function<void(const SessionRecord&)>& take_session,
                         const std::function<void(const TrialRecord&)>& take_trial) {
     static const auto sessions = part_of(
-        sessions_table(), {"session_id", "participant_id", "kind", "study", "state", "exclusion"});
+        sessions_table(),
+        {"session_id", "participant_id", "kind", "study", "study_sha256", "state", "exclusion"});
     static const auto trials =
         part_of(trials_table(), {"session_id", "kind", "trial_index", "condition", "hypothesis",
-                                 "validity", "condition_A", "condition_B", "first_shown",
+                                 "scene", "validity", "condition_A", "condition_B", "first_shown",
                                  "is_A_selected", "response_time_s", "expected", "repeats"});
     of_one_moment([&] {
         impl_->each(sessions, "sessions ORDER BY entry", take_session);

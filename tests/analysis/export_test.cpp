@@ -92,6 +92,7 @@ TrialRecord trial_of(const std::map<std::string, std::string>& row) {
     trial.second_view_ms = number(row.at("second_view_ms"));
     trial.grey_ms_measured = number(row.at("grey_ms_measured"));
     trial.dropped_frames = std::stoi(row.at("dropped_frames"));
+    if (!row.at("hidden_ms").empty()) trial.hidden_ms = number(row.at("hidden_ms"));
     trial.first_sha256 = row.at("first_sha256");
     trial.second_sha256 = row.at("second_sha256");
     trial.answered_utc = row.at("answered_utc");
@@ -163,6 +164,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
     trial.second_view_ms = 5e-324;
     trial.grey_ms_measured = 1e12;
     trial.dropped_frames = 2;
+    trial.hidden_ms = 1234.5678901234567;
     Store store = open();
     store.begin_session(participant, session);
     store.add_trial(trial);

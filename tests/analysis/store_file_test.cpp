@@ -309,6 +309,38 @@ TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
     EXPECT_THROW(migrate(database, migrations()), base::Error);
 }
 
+TEST_F(StoreFileTest, TrialsOfAnOlderStoreDoNotKnowHowLongTheyWereHidden) {
+    {
+        auto older = migrations();
+        std::erase_if(older, [](const Migration& step) { return step.version > 2; });
+        Database database(url(), false);
+        migrate(database, older);
+        database.execute(
+            "INSERT INTO participants (participant_id, kind, gender, consent, created_utc) VALUES "
+            "('p0', 'participant', '', 1, '2026-05-01T12:00:00Z')");
+        database.execute(
+            "INSERT INTO sessions (session_id, participant_id, kind, study, study_sha256, "
+            "order_kind, seed, slot, latin_square, latin_row, swapped, condition_count, state, "
+            "started_utc, software, operating_system, gpu_renderer, display, refresh_hz) VALUES "
+            "('s0', 'p0', 'participant', 'study', '', 'fixed', 1, 0, 0, 0, 0, 2, 'open', "
+            "'2026-05-01T12:00:00Z', '', '', '', '', 0.0)");
+        database.execute(
+            "INSERT INTO trials (session_id, kind, trial_index, condition, hypothesis, scene, "
+            "validity, condition_A, condition_B, first_shown, response_first, is_A_selected, "
+            "response_time_s, first_onset_s, second_onset_s, question_onset_s, first_view_ms, "
+            "second_view_ms, grey_ms_measured, dropped_frames, first_sha256, second_sha256, "
+            "answered_utc) VALUES ('s0', 'participant', 0, 'C0', '', '', 'low', 'None', "
+            "'Crytek8', 'A', 1, 1, 1.0, 1.0, 2.0, 3.0, 1.0, 1.0, 1.0, 0, '', '', "
+            "'2026-05-01T12:00:00Z')");
+    }
+    Store store(url(), Store::Access::kReadWrite);
+    EXPECT_EQ(store.trials().at(0).hidden_ms, std::nullopt);
+    TrialRecord next = tests::a_trial(0, 1);
+    next.hidden_ms = 0.0;
+    store.add_trial(next);
+    EXPECT_EQ(store.trials().at(1).hidden_ms, 0.0);
+}
+
 TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {
     { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     auto steps = one_more_step();

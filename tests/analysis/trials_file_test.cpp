@@ -198,7 +198,7 @@ TEST(TrialsFile, ExportedTrialsGiveTheStatisticsOfTheStore) {
             EXPECT_EQ(json_report(of_file), json_report(of_store));
             EXPECT_EQ(text_report(of_file), text_report(of_store));
             const bool is_paired = !repeats || kind == Kind::kSimulated;
-            EXPECT_EQ(of_file.validity.by_level.at(0).same_participants.has_value(), is_paired);
+            EXPECT_EQ(of_file.validity->by_level.at(0).same_participants.has_value(), is_paired);
         }
     }
 }
