@@ -30,7 +30,8 @@ Possible<Bounds> paired_difference(const Votes& changed, std::int64_t n, double 
     const double share_down = static_cast<double>(changed.a) / static_cast<double>(n);
     const double share_up = static_cast<double>(changed.b) / static_cast<double>(n);
     const double others = (1.0 - share_down) * (1.0 - share_up);
-    const double correlation = others > 0.0 ? std::sqrt(share_down * share_up / others) : 0.0;
+    // Where everybody changed one share is the rest of the other.
+    const double correlation = others > 0.0 ? std::sqrt(share_down * share_up / others) : 1.0;
     const double difference = share_up - share_down;
     const double low = difference - reach(share_up - up->low, down->high - share_down, correlation);
     const double high =
