@@ -10,7 +10,7 @@ std::size_t ConditionHash::operator()(const ConditionEntry& condition) const {
     // Knuth's multiplicative hashing (1973, section 6.4), one factor a text.
     std::uint64_t hash = condition.id;
     for (const std::uint32_t part : {condition.hypothesis, condition.validity, condition.variant_a,
-                                     condition.variant_b, condition.scene}) {
+                                     condition.variant_b, condition.scene, condition.study_a}) {
         hash = (hash ^ part) * 0x9E3779B97F4A7C15ULL;
         hash ^= hash >> 29U;
     }
@@ -46,10 +46,15 @@ void AnswerTable::add(const TrialRecord& trial) {
     if (session == session_places_.end()) return;
     AnswerEntry answer;
     answer.session = session->second;
-    answer.condition =
-        place_of({names.number_of(trial.condition), names.number_of(trial.hypothesis),
-                  names.number_of(trial.validity), names.number_of(trial.condition_A),
-                  names.number_of(trial.condition_B), names.number_of(trial.scene)});
+    ConditionEntry shown;
+    shown.id = names.number_of(trial.condition);
+    shown.hypothesis = names.number_of(trial.hypothesis);
+    shown.validity = names.number_of(trial.validity);
+    shown.variant_a = names.number_of(trial.condition_A);
+    shown.variant_b = names.number_of(trial.condition_B);
+    shown.scene = names.number_of(trial.scene);
+    shown.study_a = shown.variant_a;
+    answer.condition = place_of(shown);
     answer.repeats = names.number_of(trial.repeats);
     answer.trial_index = trial.trial_index;
     if (std::isfinite(trial.response_time_s)) answer.response_time_s = trial.response_time_s;

@@ -59,6 +59,7 @@ struct ConditionEntry {
     std::uint32_t variant_a = 0;
     std::uint32_t variant_b = 0;
     std::uint32_t scene = 0;
+    std::uint32_t study_a = 0;  ///< the variant that the study calls A; 0: it does not say
 
     bool operator==(const ConditionEntry&) const = default;
 };

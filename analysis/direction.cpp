@@ -6,9 +6,9 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <map>
 #include <string>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "analysis/natural_order.h"
 
@@ -52,24 +52,11 @@ int samples_behind(std::string_view small, std::string_view stem) {
     return error == std::errc() && samples > 0 ? samples : 0;
 }
 
-/// The condition and its two variants, whichever is called A.
-using Pair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
-
-Pair pair_of(const ConditionEntry& condition) {
-    const auto [low, high] = std::minmax(condition.variant_a, condition.variant_b);
-    return {condition.id, low, high};
-}
-
-bool is_against_the_rule(const ConditionEntry& condition, const Names& names) {
+/// Whether it names its pair the other way round than the study, or else the rule, does.
+bool is_turned(const ConditionEntry& condition, const Names& names) {
+    if (condition.study_a != 0) return condition.study_a == condition.variant_b;
     return is_a_of(names[condition.variant_b], names[condition.variant_a]);
 }
-
-/// What the rows say of each pair of a condition.
-struct Said {
-    bool low_is_a = false;   ///< some row calls the variant with the lower number A
-    bool high_is_a = false;  ///< some row calls the other so
-    bool outside_a_study = false;
-};
 
 void exchange_sides(AnswerEntry& answer) {
     const auto other = [](char side) { return side == 'A' ? 'B' : 'A'; };
@@ -105,32 +92,17 @@ bool is_a_of(std::string_view one, std::string_view other) {
 }
 
 void settle_direction(AnswerTable& table) {
-    std::vector<bool> inside(table.conditions.size());
-    std::vector<bool> outside(table.conditions.size());
-    for (const AnswerEntry& answer : table.answers) {
-        const bool in_study = table.sessions[answer.session].study != 0;
-        (in_study ? inside : outside)[answer.condition] = true;
-    }
     const std::vector<ConditionEntry> before = table.conditions;
-    std::map<Pair, Said> said;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        Said& own = said[pair_of(before[i])];
-        if (!inside[i] && !outside[i]) continue;
-        (before[i].variant_a < before[i].variant_b ? own.low_is_a : own.high_is_a) = true;
-        if (outside[i]) own.outside_a_study = true;
-    }
-    std::vector<bool> exchanged(before.size());
+    std::vector<bool> turned(before.size());
     std::vector<std::uint32_t> place(before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const Said& own = said.at(pair_of(before[i]));
-        const bool is_defined = !own.outside_a_study && own.low_is_a != own.high_is_a;
-        exchanged[i] = !is_defined && is_against_the_rule(before[i], table.names);
+        turned[i] = is_turned(before[i], table.names);
         ConditionEntry settled = before[i];
-        if (exchanged[i]) std::swap(settled.variant_a, settled.variant_b);
-        place[i] = exchanged[i] ? table.place_of(settled) : static_cast<std::uint32_t>(i);
+        if (turned[i]) std::swap(settled.variant_a, settled.variant_b);
+        place[i] = table.place_of(settled);
     }
     for (AnswerEntry& answer : table.answers) {
-        if (exchanged[answer.condition]) exchange_sides(answer);
+        if (turned[answer.condition]) exchange_sides(answer);
         answer.condition = place[answer.condition];
         // What has no meaning must not differ with the way round a row stood.
         if (!table.order_unknown.empty()) answer.first_shown = 'A';

@@ -24,10 +24,10 @@ namespace obscura::analysis {
 /// names differ in nothing else). A strict order of all names.
 [[nodiscard]] bool is_a_of(std::string_view one, std::string_view other);
 
-/// Gives the answers of a table one direction, whatever way round each row names its pair. Where
-/// all rows of a condition belong to a study and name the pair in the same way, that is the study's
-/// definition and it holds; everywhere else is_a_of() decides. What is exchanged is A and B in the
-/// condition, in the answer, in what was shown first and in what was expected.
+/// Gives the answers of a table one direction, whatever way round each row names its pair: that of
+/// the study where the row says what the study calls A (ConditionEntry::study_a), else that of
+/// is_a_of(). What is exchanged is A and B in the condition, in the answer, in what was shown first
+/// and in what was expected.
 void settle_direction(AnswerTable& table);
 
 }  // namespace obscura::analysis

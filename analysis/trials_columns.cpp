@@ -54,6 +54,7 @@ const std::array<KnownColumn, kColumnCount>& known_columns() {
         {"trial_index", {}, {}},
         {"kind", {}, {}},
         {"study", {}, {}},
+        {"study_A", {}, {}},
         {"session_state", {}, {}},
         {"response_time", {"response_time (s)", "response_time_s"}, {}},
         {"response_time_ms", {}, {"rt"}},

@@ -29,6 +29,7 @@ enum TrialsColumn : std::size_t {
     kTrialIndex,
     kKind,
     kStudy,
+    kStudyA,
     kSessionState,
     kResponseTime,
     kResponseTimeMs,

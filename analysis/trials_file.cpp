@@ -307,6 +307,11 @@ class Reader {
         shown.hypothesis = number_of(row, kHypothesis);
         shown.validity = is_level ? table_.names.number_of(validity) : 0;
         shown.scene = number_of(row, kScene);
+        shown.study_a = number_of(row, kStudyA);
+        if (shown.study_a != 0 && shown.study_a != shown.variant_a &&
+            shown.study_a != shown.variant_b) {
+            report(row, kStudyA, field(row, kStudyA), "is one of the row's two variants");
+        }
         if (columns_->has(kCondition)) {
             shown.id = needed(row, kCondition);
         } else if (!name_condition(row, shown)) {

@@ -354,6 +354,11 @@ const ExportTable<TrialRow>& trials_export() {
             {"expected", kExpected, kSides, "", of_trial<&T::expected>},
             {"repeats", kRepeats, {}, "", of_trial<&T::repeats>},
             {"exclusion", kExclusion, {}, "", of_session<&S::exclusion>},
+            {"study_A",
+             "Which of the two variants the study calls A",
+             {},
+             "",
+             of_trial<&T::condition_A>},
         }};
     return table;
 }

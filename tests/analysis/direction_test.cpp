@@ -18,6 +18,7 @@
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
+#include "tests/analysis/trials_text.h"
 #include "tests/temporary_folder.h"
 
 namespace obscura::analysis {
@@ -70,8 +71,8 @@ std::string json_of(const Table& table) {
         analyse(tally_of(parse_trials(table.text(), "t.csv"), "", Kind::kParticipant)));
 }
 
-/// Answers of 24 people with catch trials, repeats, times and a rule of exclusion; the columns
-/// condition and study may be there.
+/// Answers of 24 people, enough to draw anew from, or of 9, with catch trials, repeats, times and a
+/// rule of exclusion; the columns condition and study may be there.
 Table random_table(bool has_condition, bool has_study, bool has_order) {
     struct Shown {
         const char* condition;
@@ -97,7 +98,8 @@ Table random_table(bool has_condition, bool has_study, bool has_order) {
         "condition_B,is_A_selected{},expected,repeats,response_time\n",
         has_condition ? ",condition" : "", has_study ? ",study" : "",
         has_order ? ",first_shown" : "");
-    for (int who = 0; who < 24; ++who) {
+    const int people = has_condition && has_order ? 24 : 9;
+    for (int who = 0; who < people; ++who) {
         const auto add = [&](const Shown& pair, int index, const char* kind,
                              const std::string& condition, const std::string& repeats) {
             Row row;
@@ -236,20 +238,38 @@ TEST(Direction, OneRowTheOtherWayRoundLeavesTheVerdictAsItIs) {
 
 TEST(Direction, OfAStudyIsTheStudysOwnDefinition) {
     const std::string header =
-        "observer,study,condition,condition_A,condition_B,is_A_selected,first_shown\n";
-    const Tally defined = tally_of(parse_trials(header + "ann,my-study,c1,blizzard,none,1,A\n"
-                                                         "bob,my-study,c1,blizzard,none,0,B\n",
-                                                "t.csv"),
-                                   "", Kind::kParticipant);
-    EXPECT_EQ(defined.conditions.at(0).variant_a, "blizzard");
-    EXPECT_EQ(defined.conditions[0].votes.a, 1);
-    const Tally both_ways = tally_of(parse_trials(header + "ann,my-study,c1,blizzard,none,1,A\n"
-                                                           "bob,my-study,c1,none,blizzard,1,A\n",
-                                                  "t.csv"),
-                                     "", Kind::kParticipant);
-    EXPECT_EQ(both_ways.conditions.at(0).variant_a, "none");
-    EXPECT_EQ(both_ways.conditions[0].votes.a, 1);
-    EXPECT_EQ(both_ways.conditions[0].votes.b, 1);
+        "observer,study,condition,condition_A,condition_B,study_A,is_A_selected,first_shown\n";
+    const std::string ann = "ann,my-study,c1,blizzard,none,blizzard,1,A\n";
+    for (const char* bob : {"bob,my-study,c1,blizzard,none,blizzard,0,B\n",
+                            "bob,my-study,c1,none,blizzard,blizzard,1,A\n"}) {
+        const Tally tally =
+            tally_of(parse_trials(header + ann + bob, "t.csv"), "", Kind::kParticipant);
+        EXPECT_EQ(tally.conditions.at(0).variant_a, "blizzard");
+        EXPECT_EQ(tally.conditions[0].votes.a, 1);
+        EXPECT_EQ(tally.conditions[0].votes.b, 1);
+        EXPECT_FALSE(tally.conditions[0].answers.at(1).b_second);
+    }
+    EXPECT_THROW((void)parse_trials(header + "ann,my-study,c1,blizzard,none,crytek,1,A\n", "t.csv"),
+                 base::Error);
+}
+
+TEST(Direction, OfAnExportIsThatOfTheStore) {
+    StoreContents contents;
+    for (int number = 0; number < 3; ++number) {
+        SessionRecord session = tests::a_session(number);
+        session.state = SessionState::kCompleted;
+        contents.sessions.push_back(session);
+        TrialRecord trial = tests::a_trial(number, 0);
+        trial.condition_A = "Blizzard24";
+        trial.condition_B = "None";
+        contents.trials.push_back(trial);
+    }
+    const Tally of_store =
+        tally_trials("s", contents.sessions, contents.trials, "", Kind::kParticipant);
+    EXPECT_EQ(of_store.conditions.at(0).variant_a, "Blizzard24") << "as the study has it";
+    const Tally of_file =
+        tally_of(parse_trials(tests::trials_text(contents), "s"), "", Kind::kParticipant);
+    EXPECT_EQ(json_report(analyse(of_file)), json_report(analyse(of_store)));
 }
 
 TEST(Direction, OneIdForDifferentPairsIsRefusedWithBothPlaces) {
