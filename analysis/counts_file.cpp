@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/counts_file.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "analysis/direction.h"
+#include "analysis/natural_order.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
 #include "analysis/text.h"
@@ -77,6 +80,10 @@ class Reader {
         if (tally_.conditions.empty()) {
             throw base::bad_input("{}:{}: there is no row below the header", name_, header_line_);
         }
+        std::sort(tally_.conditions.begin(), tally_.conditions.end(),
+                  [](const ConditionVotes& one, const ConditionVotes& other) {
+                      return naturally_before(one.id, other.id);
+                  });
         tally_.source = name_;
         tally_.order = Possible<OrderVotes>::none("counts do not say which image was shown first");
         tally_.n_participants = participants();
@@ -107,14 +114,22 @@ class Reader {
         condition.variant_a = word(row, kVariantA);
         condition.variant_b = word(row, kVariantB);
         condition.votes = {count(row, kCountA), count(row, kCountB)};
+        if (is_a_of(condition.variant_b, condition.variant_a)) {
+            std::swap(condition.variant_a, condition.variant_b);
+            std::swap(condition.votes.a, condition.votes.b);
+        }
         condition.hypothesis = name(row, kHypothesis);
         condition.validity = level(row);
+        condition.view = name(row, kScene);
         if (columns_->has(kCondition)) {
             condition.id = word(row, kCondition);
         } else {
-            const std::string scene = name(row, kScene);
-            condition.id = fmt::format("{}{}{} - {}", scene, scene.empty() ? "" : ": ",
-                                       condition.variant_a, condition.variant_b);
+            condition.id =
+                fmt::format("{}{}{} - {}{}", condition.view, condition.view.empty() ? "" : ": ",
+                            condition.variant_a, condition.variant_b,
+                            condition.validity.empty() || condition.view.empty()
+                                ? ""
+                                : fmt::format(" ({})", condition.validity));
         }
         check_new(row, condition.id);
         tally_.conditions.push_back(std::move(condition));

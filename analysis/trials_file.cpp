@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "analysis/direction.h"
 #include "analysis/exclusion.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
@@ -24,8 +26,6 @@ namespace {
 std::uint64_t pair_of(std::uint32_t one, std::uint32_t other) {
     return (std::uint64_t{one} << 32U) | other;
 }
-
-char other_side(char side) { return side == 'A' ? 'B' : 'A'; }
 
 bool is_control(char letter) {
     const auto code = static_cast<unsigned char>(letter);
@@ -56,6 +56,8 @@ class Reader {
         table_.order_unknown = order_->unknown();
         problems_.throw_if_any();
         if (table_.answers.empty()) throw no_answers();
+        settle_direction(table_);
+        shorten_names();
         write_notes();
         return std::move(table_);
     }
@@ -304,40 +306,55 @@ class Reader {
         shown.variant_b = needed(row, kConditionB);
         shown.hypothesis = number_of(row, kHypothesis);
         shown.validity = is_level ? table_.names.number_of(validity) : 0;
+        shown.scene = number_of(row, kScene);
         if (columns_->has(kCondition)) {
             shown.id = needed(row, kCondition);
-        } else if (!name_condition(row, shown, answer)) {
+        } else if (!name_condition(row, shown)) {
             return;
         }
         answer.condition = table_.place_of(shown);
         check_description(row, answer);
     }
 
-    /// Calls a condition by what it shows, and A what the first row of it calls so.
-    bool name_condition(const CsvRow& row, ConditionEntry& shown, AnswerEntry& answer) {
+    /// Calls a condition by what it shows: scene, variants and level.
+    bool name_condition(const CsvRow& row, ConditionEntry& shown) {
         if (shown.variant_a == shown.variant_b) {
             report(row, kConditionB, field(row, kConditionB),
                    "is another variant than condition_A");
             return false;
         }
         ConditionEntry pair;
-        pair.id = number_of(row, kScene);
+        pair.scene = shown.scene;
+        pair.validity = shown.validity;
         std::tie(pair.variant_a, pair.variant_b) = std::minmax(shown.variant_a, shown.variant_b);
-        const auto [first, is_new] = first_.emplace(pair, shown);
+        const auto [named, is_new] = named_.emplace(pair, 0);
         if (is_new) {
-            const std::string& scene = table_.names[pair.id];
-            first->second.id = table_.names.number_of(
-                fmt::format("{}{}{} - {}", scene, scene.empty() ? "" : ": ",
-                            table_.names[shown.variant_a], table_.names[shown.variant_b]));
+            const std::string& level = table_.names[pair.validity];
+            named->second = table_.names.number_of(
+                level.empty() ? pair_name(pair) : fmt::format("{} ({})", pair_name(pair), level));
         }
-        if (first->second.variant_a != shown.variant_a) {
-            std::swap(shown.variant_a, shown.variant_b);
-            answer.a_selected = !answer.a_selected;
-            answer.first_shown = other_side(answer.first_shown);
-            if (answer.expected != 0) answer.expected = other_side(answer.expected);
-        }
-        shown.id = first->second.id;
+        shown.id = named->second;
         return true;
+    }
+
+    /// `atrium: None - Blizzard24`
+    [[nodiscard]] std::string pair_name(const ConditionEntry& pair) const {
+        const std::string* a = &table_.names[pair.variant_a];
+        const std::string* b = &table_.names[pair.variant_b];
+        if (is_a_of(*b, *a)) std::swap(a, b);
+        const std::string& scene = table_.names[pair.scene];
+        return fmt::format("{}{}{} - {}", scene, scene.empty() ? "" : ": ", *a, *b);
+    }
+
+    /// The level is part of a condition's name only where a scene and pair have several.
+    void shorten_names() {
+        std::map<std::string, std::vector<std::uint32_t>> levels;
+        for (const auto& [pair, id] : named_) levels[pair_name(pair)].push_back(id);
+        std::unordered_map<std::uint32_t, std::uint32_t> shorter;
+        for (const auto& [name, ids] : levels) {
+            if (ids.size() == 1) shorter.emplace(ids.front(), table_.names.number_of(name));
+        }
+        table_.rename(shorter);
     }
 
     /// A condition is the same thing in every row that is counted together.
@@ -349,11 +366,23 @@ class Reader {
         key.hypothesis = session.study;
         key.validity = static_cast<std::uint32_t>(answer.kind);
         const auto [first, is_new] = described_.emplace(key, std::pair(answer.condition, row.line));
-        if (first->second.first == answer.condition) return;
+        if (first->second.first == answer.condition ||
+            is_same_thing(table_.conditions[first->second.first],
+                          table_.conditions[answer.condition])) {
+            return;
+        }
         problems_.add(row.line,
                       fmt::format("condition '{}' is {}, allowed is what line {} says: {}",
                                   table_.names[key.id], description_of(answer.condition),
                                   first->second.second, description_of(first->second.first)));
+    }
+
+    /// Whichever variant is called A; one condition may be shown in several scenes.
+    [[nodiscard]] static bool is_same_thing(const ConditionEntry& one,
+                                            const ConditionEntry& other) {
+        return one.hypothesis == other.hypothesis && one.validity == other.validity &&
+               std::minmax(one.variant_a, one.variant_b) ==
+                   std::minmax(other.variant_a, other.variant_b);
     }
 
     [[nodiscard]] std::string description_of(std::uint32_t condition) const {
@@ -380,8 +409,8 @@ class Reader {
     std::array<std::uint32_t, kColumnCount> last_{};            ///< number of each column's text
     std::unordered_map<std::uint64_t, std::uint32_t> session_;  ///< observer and name to place
     std::vector<bool> has_kind_;                                ///< of each session
-    /// Scene and two variants, to the names that the first row gives.
-    std::unordered_map<ConditionEntry, ConditionEntry, ConditionHash> first_;
+    /// Scene, level and two variants, to the condition's name.
+    std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> named_;
     /// Condition, study and kind, to the first description and its line.
     std::unordered_map<ConditionEntry, std::pair<std::uint32_t, int>, ConditionHash> described_;
 };

@@ -23,10 +23,11 @@ namespace obscura::analysis {
 /// `map` says what the file calls them. All others are passed over and named in AnswerTable::notes.
 /// Rows without both variants (an instruction, a break) and rows without an answer are passed over
 /// and counted there; rows that are equal and repeated votes are named there.
-/// Without the column condition, a condition is a scene with two variants, whichever of them is
-/// called A; A is then what the first row calls so. A session that says nothing of its state was
-/// completed. Throws bad input that lists what is wrong as `file:line: column, value, what is
-/// allowed`, each problem once.
+/// Without the column condition, a condition is a scene with two variants (and a level of validity,
+/// where they are shown at several), whichever of them is called A. Which is A in the table says
+/// settle_direction() in analysis/direction.h, never the order of rows. A session that says nothing
+/// of its state was completed. Throws bad input that lists what is wrong as `file:line: column,
+/// value, what is allowed`, each problem once.
 [[nodiscard]] AnswerTable read_trials(const std::filesystem::path& file, const ColumnMap& map = {});
 
 /// The same for the bytes of a file; `name` stands for it in messages.

@@ -13,6 +13,7 @@
 #include "app/commands/list.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
+#include "stimuli/scenes/open_scene.h"
 
 namespace {
 
@@ -35,7 +36,7 @@ void refuse_empty_values(int argc, char** argv) {
 void name_unknown_command(const CLI::App& program, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
-        if (word == "--data") {
+        if (word == "--data" || word == "--allow") {
             ++i;
         } else if (!word.starts_with("-")) {
             std::string known;
@@ -60,6 +61,12 @@ int run(int argc, char** argv) {
     obscura::app::Globals globals;
     program.add_option("--data", globals.data, "Folder that holds a study's life")
         ->capture_default_str();
+    program
+        .add_option("--allow", globals.allowed,
+                    "A folder from which files that a scene names may be read, beside the scene's "
+                    "own; repeatable")
+        ->check(CLI::ExistingDirectory)
+        ->allow_extra_args(false);
     program.add_flag("--quiet", globals.quiet, "Say only warnings and errors");
 
     std::function<ExitCode()> chosen;
@@ -74,6 +81,7 @@ int run(int argc, char** argv) {
         return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kBadInput);
     }
     obscura::base::set_up_log(globals.quiet);
+    obscura::stimuli::allow_folders(globals.allowed);
     const ExitCode code = chosen();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         throw obscura::base::failure("cannot write to standard output: {}", std::strerror(errno));

@@ -77,11 +77,7 @@ renderer::FloatImage buffers_of(const Frame& frame, const renderer::Lighting& li
     add_three(image, {"N.X", "N.Y", "N.Z"}, normals_of(frame, depth_m));
     add_three(image, {"albedo.R", "albedo.G", "albedo.B"}, albedo);
     add_three(image, {"light.R", "light.G", "light.B"}, light_of(frame, lighting, depth_m));
-    std::vector<float> accessibility(depth_m.size(), 1.0F);
-    if (plan.has(renderer::Pass::kAccessibility)) {
-        accessibility = frame.read_floats(plan.final_accessibility());
-    }
-    image.channels.push_back({"ao.Y", std::move(accessibility)});
+    image.channels.push_back({"ao.Y", frame.read_accessibility()});
     image.channels.push_back({"Z", std::move(depth_m)});
     return image;
 }

@@ -14,6 +14,7 @@
 #include "renderer/base/hash.h"
 #include "renderer/base/log.h"
 #include "renderer/base/progress.h"
+#include "renderer/frame/explain.h"
 #include "renderer/gl/context.h"
 #include "stimuli/pairs.h"
 #include "stimuli/png.h"
@@ -204,37 +205,15 @@ bool is_of_one_colour(const RgbImage& image) {
     return true;
 }
 
-double milliseconds_of(const renderer::Frame& frame) {
-    double sum_ms = 0.0;
-    for (const renderer::PassTime& time : frame.times) sum_ms += time.milliseconds;
-    return sum_ms;
-}
-
 /// The passes, buffers and omissions of one image.
 std::string explanation_of(const Study& study, const Stimulus& stimulus,
                            const renderer::Frame& frame) {
     const renderer::FramePlan& plan = frame.plan();
     const StudyScene& scene = study.scene_of(*stimulus.condition);
-    std::string text =
-        fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n", stimulus.file(),
-                    stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
-                    scene.camera, plan.image_width, plan.image_height);
-    for (const renderer::PassTime& time : frame.times) {
-        text += fmt::format("  pass    {:14} {:9.2f} ms\n", renderer::to_string(time.pass),
-                            time.milliseconds);
-    }
-    text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", milliseconds_of(frame));
-    for (const renderer::PlannedTarget& target : plan.targets) {
-        text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}\n",
-                            renderer::to_string(target.target), target.bytes, target.format,
-                            target.width, target.height,
-                            target.layers > 1 ? fmt::format("x{}", target.layers) : "");
-    }
-    text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", plan.bytes());
-    for (const renderer::LeftOut& left_out : plan.left_out) {
-        text += fmt::format("  without {}: {}\n", left_out.what, left_out.why);
-    }
-    return text;
+    return fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n{}", stimulus.file(),
+                       stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
+                       scene.camera, plan.image_width, plan.image_height,
+                       renderer::explanation_of(frame));
 }
 
 /// A line of the table of what leaving out saves.
@@ -242,7 +221,7 @@ std::string savings_of(const Stimulus& stimulus, const renderer::Frame& planned,
                        const renderer::Frame& everything) {
     constexpr double kMega = 1e6;
     return fmt::format("{:14} {:10.1f} {:10.1f} {:10.1f} {:10.1f}\n", stimulus.file(),
-                       milliseconds_of(planned), milliseconds_of(everything),
+                       planned.milliseconds(), everything.milliseconds(),
                        static_cast<double>(planned.plan().bytes()) / kMega,
                        static_cast<double>(everything.plan().bytes()) / kMega);
 }
@@ -262,6 +241,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
     Generated generated;
+    PairsInTheMaking made;
     base::Progress progress("render", wanted.size(), quiet);
     for (const Stimulus& stimulus : wanted) {
         if (selection.buffers) {
@@ -274,7 +254,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             continue;
         }
         const renderer::Frame frame = renderer.render_next(stimulus);
-        const RgbImage image = image_of(frame);
+        RgbImage image = image_of(frame);
         if (is_of_one_colour(image)) {
             spdlog::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
@@ -282,6 +262,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
         base::write_file_atomically(folder / entry.file, bytes);
+        made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
         save_manifest(list, manifest_of(study, finished));
         ++generated.made;
@@ -296,6 +277,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     Manifest manifest = manifest_of(study, finished);
     const std::vector<ManifestPair> known = known_pairs(folder);
     manifest.pairs = known;
+    manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
     generated.warnings = warnings_of_selected(study, selection, manifest.pairs);
     const bool up_to_date = generated.made == 0 && known == manifest.pairs &&

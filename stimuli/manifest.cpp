@@ -12,7 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
-#include "stimuli/variant_reader.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -39,30 +39,28 @@ Json to_json(const std::vector<ManifestImage::SceneFile>& files) {
 }
 
 Json to_json(const ManifestImage& image) {
-    return {{"file", image.file},
-            {"sha256", image.sha256},
-            {"condition", image.condition},
-            {"side", image.side},
-            {"scene", image.scene},
-            {"source", image.source},
-            {"camera", image.camera},
-            {"validity", image.validity},
-            {"settings", Json::parse(image.settings)},
-            {"scene_files", to_json(image.scene_files)},
-            {"scene_notes", image.scene_notes},
-            {"technique", image.technique},
-            {"samples", image.samples},
-            {"parameters", image.parameters},
-            {"denoise", image.denoise},
-            {"width", image.width},
-            {"height", image.height},
-            {"supersampling", image.supersampling},
-            {"occluding_opacity",
-             image.occluding_opacity ? Json(*image.occluding_opacity) : Json(nullptr)},
-            {"tone_mapping", to_json(image.tone_mapping)},
-            {"passes", image.passes},
-            {"milliseconds", image.milliseconds},
-            {"inputs_sha256", image.inputs_sha256}};
+    Json json = {{"file", image.file},
+                 {"sha256", image.sha256},
+                 {"condition", image.condition},
+                 {"side", image.side},
+                 {"scene", image.scene},
+                 {"source", image.source},
+                 {"camera", image.camera},
+                 {"validity", image.validity},
+                 {"settings", Json::parse(image.settings)},
+                 {"scene_files", to_json(image.scene_files)},
+                 {"scene_notes", image.scene_notes}};
+    put_variant(json, image.variant);
+    json["width"] = image.width;
+    json["height"] = image.height;
+    json["supersampling"] = image.supersampling;
+    json["occluding_opacity"] =
+        image.occluding_opacity ? Json(*image.occluding_opacity) : Json(nullptr);
+    json["tone_mapping"] = to_json(image.tone_mapping);
+    json["passes"] = image.passes;
+    json["milliseconds"] = image.milliseconds;
+    json["inputs_sha256"] = image.inputs_sha256;
+    return json;
 }
 
 ManifestImage image_from(const Json& json) {
@@ -81,10 +79,7 @@ ManifestImage image_from(const Json& json) {
         image.scene_files.push_back({file.at("name"), file.at("sha256")});
     }
     image.scene_notes = json.value("scene_notes", std::vector<std::string>());
-    json.at("technique").get_to(image.technique);
-    json.at("samples").get_to(image.samples);
-    json.at("parameters").get_to(image.parameters);
-    json.at("denoise").get_to(image.denoise);
+    image.variant = variant_from(json);
     json.at("width").get_to(image.width);
     json.at("height").get_to(image.height);
     image.supersampling = json.value("supersampling", 1);  // older manifests have none of these
@@ -140,21 +135,10 @@ std::string problem_of_size(const Study& study, const std::filesystem::path& pat
 
 std::string in_words(const std::string& source, const std::string& camera,
                      std::string_view validity, const std::string& scene_settings,
-                     const renderer::TechniqueChoice& choice) {
+                     const renderer::Variant& variant) {
     const std::string with = scene_settings == "{}" ? "" : " with " + scene_settings;
-    std::string settings;
-    const renderer::Technique* technique = renderer::find_technique(choice.technique);
-    if (technique != nullptr) {
-        for (const renderer::Parameter& parameter : technique->parameters) {
-            settings += fmt::format(", {} {}", parameter.name, choice.value_of(parameter));
-        }
-    }
-    return fmt::format("{} from {}, validity {}{}, {}{}, denoise {}", source, camera, validity,
-                       with, choice.variant_name(), settings, choice.denoise);
-}
-
-renderer::TechniqueChoice choice_of(const ManifestImage& image) {
-    return {image.technique, image.samples, image.parameters, image.denoise};
+    return fmt::format("{} from {}, validity {}{}, {}", source, camera, validity, with,
+                       variant.in_words());
 }
 
 /// An image of before the study was edited is as sound a file as any, but shows something else.
@@ -162,13 +146,12 @@ std::string problem_of_content(const Study& study, const Condition& condition,
                                const ManifestImage& image, const std::filesystem::path& path) {
     if (shows_what_is_asked(study, image)) return "";
     const StudyScene& scene = study.scene_of(condition);
-    const renderer::TechniqueChoice& wanted = image.side == "a" ? condition.a : condition.b;
-    const renderer::TechniqueChoice made = choice_of(image);
-    return fmt::format("{}: it shows {}; the study asks for {}; obscura render makes it anew",
-                       path.string(),
-                       in_words(image.source, image.camera, image.validity, image.settings, made),
-                       in_words(scene.source, scene.camera, to_string(scene.validity),
-                                to_json(scene.settings), wanted));
+    const renderer::Variant& wanted = image.side == "a" ? condition.a : condition.b;
+    return fmt::format(
+        "{}: it shows {}; the study asks for {}; obscura render makes it anew", path.string(),
+        in_words(image.source, image.camera, image.validity, image.settings, image.variant),
+        in_words(scene.source, scene.camera, to_string(scene.validity), to_json(scene.settings),
+                 wanted));
 }
 
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
@@ -214,7 +197,7 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
            image.settings == to_json(scene.settings) && image.width == study.width &&
            image.height == study.height && image.supersampling == study.supersampling &&
            image.occluding_opacity == study.occluding_opacity &&
-           same_variant(choice_of(image), image.side == "a" ? condition->a : condition->b);
+           image.variant == (image.side == "a" ? condition->a : condition->b);
 }
 
 Manifest load_manifest(const std::filesystem::path& file) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,10 +38,7 @@ struct ManifestImage {
     };
     std::vector<SceneFile> scene_files;    ///< none for a built-in scene
     std::vector<std::string> scene_notes;  ///< what of them is not shown, or replaced
-    std::string technique;
-    int samples = 0;
-    std::map<std::string, double> parameters;  ///< every parameter, those at their default too
-    std::string denoise;
+    renderer::Variant variant;  ///< written with every parameter, those at their default too
     int width = 0;
     int height = 0;
     int supersampling = 1;
@@ -91,7 +87,7 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest);
                                                    const Study& study);
 
 /// Whether the image shows what the study asks of its condition and side: scene, camera, validity,
-/// settings, size, technique and every parameter.
+/// settings, size and variant.
 [[nodiscard]] bool shows_what_is_asked(const Study& study, const ManifestImage& image);
 
 /// Everything that keeps a study from being shown, a sentence each naming the file: no manifest,

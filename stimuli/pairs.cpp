@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "stimuli/png.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -78,6 +78,16 @@ std::vector<ManifestPair> compared_pairs(const Study& study, const std::filesyst
     } catch (const base::Error&) {
         return {};
     }
+}
+
+void PairsInTheMaking::add(const ManifestImage& entry, RgbImage image) {
+    if (entry.side == "b" && entry.condition == condition_) {
+        pairs_.push_back(
+            {condition_, sha256_, entry.sha256, difference_of(image_, image), /*reason=*/""});
+    }
+    condition_ = entry.side == "a" ? entry.condition : "";
+    sha256_ = entry.sha256;
+    image_ = std::move(image);
 }
 
 std::vector<std::string> alike_pairs(const Study& study, const std::vector<ManifestPair>& pairs) {

@@ -8,6 +8,7 @@
 
 #include "renderer/reference/exr.h"
 #include "stimuli/manifest.h"
+#include "stimuli/png.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
@@ -21,6 +22,20 @@ namespace obscura::stimuli {
 /// The same of the images in a folder with its manifest.json; none where there is none to be read.
 [[nodiscard]] std::vector<ManifestPair> compared_pairs(const Study& study,
                                                        const std::filesystem::path& folder);
+
+/// Compares pairs whose images are made one after the other, a before b, so that none has to be
+/// read again.
+class PairsInTheMaking {
+  public:
+    void add(const ManifestImage& entry, RgbImage image);
+    [[nodiscard]] const std::vector<ManifestPair>& pairs() const { return pairs_; }
+
+  private:
+    std::string condition_;  ///< of the last image
+    std::string sha256_;
+    RgbImage image_;
+    std::vector<ManifestPair> pairs_;
+};
 
 /// A sentence for each pair whose images nobody could tell apart though the study does not mark it
 /// as `identical`, with the likely reason where it is known.

@@ -10,7 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
-#include "stimuli/scenes/open_scene.h"
+#include "stimuli/scenes/backs.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -110,12 +110,12 @@ const SceneReader::Known& SceneReader::open(const std::string& source, double sc
     try {
         SceneSettings settings;
         settings.scale = scale;
-        const OpenedScene opened = open_scene(source, settings, folder_, catalogue_);
+        OpenedScene& opened = entry->second.opened;
+        opened = open_scene(source, settings, folder_, catalogue_);
         for (const renderer::Camera& camera : opened.scene->cameras) {
             entry->second.cameras.push_back(camera.name);
         }
         entry->second.files = opened.files;
-        entry->second.notes = opened.notes;
     } catch (const base::Error& error) {
         entry->second.problem = in_one_line(error.what());
     }
@@ -222,6 +222,17 @@ void SceneReader::read_settings(TableReader& reader, SceneSettings& settings, Pr
     read_lights(reader, settings, problems);
 }
 
+/// What its file's import says, and what its own camera sees of it.
+void SceneReader::add_notes(const Known& known, StudyScene& scene) {
+    if (!known.problem.empty()) return;
+    scene.notes = known.opened.notes;
+    const renderer::Camera* const own = known.opened.scene->find_camera(scene.camera);
+    if (!scene.settings.camera && own == nullptr) return;
+    const std::string backs =
+        note_on_backs(known.opened, {scene.settings.camera ? *scene.settings.camera : *own});
+    if (!backs.empty()) scene.notes.push_back(backs);
+}
+
 StudyScene SceneReader::read(TableReader& reader, const std::string& id, Problems& problems) {
     StudyScene scene;
     scene.id = id;
@@ -243,7 +254,7 @@ StudyScene SceneReader::read(TableReader& reader, const std::string& id, Problem
         if (!known.problem.empty()) reader.add("source", known.problem);
         read_camera(reader, known.problem.empty() ? &known.cameras : nullptr, scene, problems);
         scene.files.insert(scene.files.begin(), known.files.begin(), known.files.end());
-        scene.notes = known.notes;
+        add_notes(known, scene);
     }
     const auto level = reader.choice("validity", Need::kRequired, names_of(kValidities));
     if (level) scene.validity = *validity_from(*level);

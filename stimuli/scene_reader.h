@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/scenes/open_scene.h"
 #include "stimuli/study.h"
 #include "stimuli/table_reader.h"
 
@@ -31,7 +32,7 @@ class SceneReader {
     struct Known {
         std::vector<std::string> cameras;
         std::vector<renderer::ImportedFile> files;
-        std::vector<std::string> notes;
+        OpenedScene opened;   ///< of a scene's file
         std::string problem;  ///< empty: it can be read
     };
 
@@ -44,6 +45,7 @@ class SceneReader {
     void read_camera(TableReader& reader, const std::vector<std::string>* names, StudyScene& scene,
                      std::vector<StudyProblem>& problems);
     const Known& open(const std::string& source, double scale);
+    static void add_notes(const Known& known, StudyScene& scene);
 
     const std::vector<BuiltinScene>& catalogue_;
     std::filesystem::path folder_;

@@ -16,19 +16,12 @@
 #include "renderer/gl/program.h"
 #include "stimuli/buffers.h"
 #include "stimuli/pairs.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::map<std::string, double> parameters_of(const renderer::TechniqueChoice& choice) {
-    std::map<std::string, double> values;
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        values[parameter.name] = choice.value_of(parameter);
-    }
-    return values;
-}
 
 /// Program, driver and, where they are read from a folder, shaders.
 std::string hash_of_environment() {
@@ -103,7 +96,7 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
 
 renderer::TracedAccessibility StimulusRenderer::tracer() {
     return [this](const renderer::Camera& camera, int width, int height,
-                  const renderer::TechniqueChoice& choice) {
+                  const renderer::Variant& choice) {
         if (!loaded_.reference) {
             loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
         }
@@ -116,19 +109,12 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options,
                                          const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(*loaded_.opened.scene, view.lighting),
-                             stimulus.choice(), study_.width, study_.height, options);
-    return renderer_.render(*loaded_.gpu, view.lighting, view.camera, stimulus.choice(), plan,
-                            tracer(), known);
-}
-
-renderer::FrameOptions StimulusRenderer::options() const {
-    return {.supersampling = study_.supersampling, .occluding_opacity = study_.occluding_opacity};
+    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer()},
+                            stimulus.choice(), study_.width, study_.height, known);
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
-    return render(stimulus, options());
+    return render(stimulus, study_.frame_options());
 }
 
 renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
@@ -136,7 +122,7 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
         known_ = {};
         known_scene_ = stimulus.condition->scene;
     }
-    renderer::Frame frame = render(stimulus, options(), known_);
+    renderer::Frame frame = render(stimulus, study_.frame_options(), known_);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
@@ -146,12 +132,11 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
 renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
-    renderer::FrameOptions all = options();
-    all.all_buffers = true;
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of_everything(*loaded_.opened.scene, lighting),
-                             stimulus.choice(), study_.width, study_.height, all);
-    return renderer_.render(*loaded_.gpu, lighting, view.camera, stimulus.choice(), plan, tracer());
+    renderer::FrameOptions options = study_.frame_options();
+    options.all_buffers = true;
+    return renderer_.render({*loaded_.gpu, lighting, view.camera, options, tracer(),
+                             renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
+                            stimulus.choice(), study_.width, study_.height);
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {
@@ -183,7 +168,6 @@ std::string StimulusRenderer::reason_of_likeness(const Condition& condition) {
 ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
                                          const renderer::Frame& frame) const {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     ManifestImage image;
     image.file = stimulus.file();
     image.condition = stimulus.condition->id;
@@ -197,42 +181,35 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
         image.scene_files.push_back({file.path.filename().string(), file.sha256});
     }
     image.scene_notes = scene.notes;
-    image.technique = choice.technique;
-    image.samples = choice.samples;
-    image.parameters = parameters_of(choice);
-    image.denoise = choice.denoise;
+    image.variant = stimulus.choice();
     image.width = study_.width;
     image.height = study_.height;
     image.supersampling = study_.supersampling;
     image.occluding_opacity = study_.occluding_opacity;
     image.tone_mapping = tone_mapping_of(lightings_.at(scene.id));
-    for (const renderer::PassTime& time : frame.times) {
-        image.passes.push_back(renderer::to_string(time.pass));
-        image.milliseconds += time.milliseconds;
+    for (const renderer::PassTime& time : renderer::by_name(frame.times)) {
+        image.passes.push_back(time.name);
     }
+    image.milliseconds = frame.milliseconds();
     image.inputs_sha256 = inputs_sha256(stimulus);
     return image;
 }
 
 std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
-    const renderer::TechniqueChoice& choice = stimulus.choice();
     Json files = Json::array();
     for (const renderer::ImportedFile& file : files_of(scene)) files.push_back(file.sha256);
-    const Json inputs = {{"environment", environment_sha256_},
-                         {"source", scene.source},
-                         {"camera", scene.camera},
-                         {"validity", to_string(scene.validity)},
-                         {"settings", to_json(scene.settings)},
-                         {"files", files},
-                         {"technique", choice.technique},
-                         {"samples", choice.samples},
-                         {"parameters", parameters_of(choice)},
-                         {"denoise", choice.denoise},
-                         {"width", study_.width},
-                         {"height", study_.height},
-                         {"supersampling", study_.supersampling},
-                         {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
+    Json inputs = {{"environment", environment_sha256_},
+                   {"source", scene.source},
+                   {"camera", scene.camera},
+                   {"validity", to_string(scene.validity)},
+                   {"settings", to_json(scene.settings)},
+                   {"files", files},
+                   {"width", study_.width},
+                   {"height", study_.height},
+                   {"supersampling", study_.supersampling},
+                   {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
+    put_variant(inputs, stimulus.choice());
     return base::sha256_hex(inputs.dump());
 }
 

@@ -23,7 +23,7 @@ struct Stimulus {
     const Condition* condition = nullptr;
     char side = 'a';  ///< a or b
 
-    [[nodiscard]] const renderer::TechniqueChoice& choice() const {
+    [[nodiscard]] const renderer::Variant& choice() const {
         return side == 'a' ? condition->a : condition->b;
     }
     [[nodiscard]] std::string file() const;  ///< CONDITION-a.png
@@ -86,7 +86,6 @@ class StimulusRenderer {
     renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options,
                            const renderer::ViewBuffers& known = {});
-    [[nodiscard]] renderer::FrameOptions options() const;
     void load(const StudyScene& scene);
     const renderer::Lighting& lighting_of(const StudyScene& scene);
     [[nodiscard]] const std::vector<renderer::ImportedFile>& files_of(

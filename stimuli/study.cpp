@@ -47,6 +47,10 @@ const StudyScene& Study::scene_of(const Condition& condition) const {
     return *found;
 }
 
+renderer::FrameOptions Study::frame_options() const {
+    return {.supersampling = supersampling, .occluding_opacity = occluding_opacity};
+}
+
 const Condition* Study::find_condition(std::string_view id) const {
     const auto found = std::find_if(conditions.begin(), conditions.end(),
                                     [&](const auto& condition) { return condition.id == id; });

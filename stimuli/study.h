@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/frame/plan.h"
 #include "renderer/import/import.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/order/order.h"
@@ -47,8 +48,8 @@ struct Condition {
     std::string id;
     std::string scene;       ///< id of a StudyScene
     std::string hypothesis;  ///< H1, H2, ...; may be empty
-    renderer::TechniqueChoice a;
-    renderer::TechniqueChoice b;
+    renderer::Variant a;
+    renderer::Variant b;
     char expected =
         '\0';  ///< 'A' or 'B': the side an attentive observer picks, of an attention check
     /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.
@@ -101,6 +102,8 @@ struct Study {
     std::filesystem::path folder;        ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
+    /// How every image of the study is rendered, whoever asks for it.
+    [[nodiscard]] renderer::FrameOptions frame_options() const;
     /// The condition of that id, or nullptr.
     [[nodiscard]] const Condition* find_condition(std::string_view id) const;
 };

@@ -13,7 +13,7 @@
 #include "stimuli/attention_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
-#include "stimuli/variant_reader.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -176,14 +176,14 @@ std::vector<const toml::table*> read_entries(TableReader& root, const std::strin
 }
 
 /// One side of a condition; nothing where it is missing or something in it is wrong.
-std::optional<renderer::TechniqueChoice> read_side(TableReader& reader, const std::string& side,
-                                                   const std::string& where, Problems& problems) {
+std::optional<renderer::Variant> read_side(TableReader& reader, const std::string& side,
+                                           const std::string& where, Problems& problems) {
     const toml::table* table = reader.table(side, Need::kRequired);
     if (table == nullptr) return std::nullopt;
     const std::size_t before = problems.size();
-    renderer::TechniqueChoice choice = read_variant(*table, where + ", " + side, problems);
+    renderer::Variant variant = read_variant(*table, where + ", " + side, problems);
     if (problems.size() != before) return std::nullopt;
-    return choice;
+    return variant;
 }
 
 Condition read_condition(TableReader& reader, const std::string& where,
@@ -210,7 +210,7 @@ Condition read_condition(TableReader& reader, const std::string& where,
     const auto b = read_side(reader, "b", where, problems);
     if (a) condition.a = *a;
     if (b) condition.b = *b;
-    if (a && b && same_variant(*a, *b) && !condition.identical) {
+    if (a && b && *a == *b && !condition.identical) {
         reader.add(
             "b",
             "is the same as a in every way: there would be nothing to choose between; a pair "

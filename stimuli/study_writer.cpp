@@ -6,32 +6,24 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
+#include <set>
+#include <utility>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_format.h"
+#include "stimuli/scenes/open_scene.h"
 
 namespace obscura::stimuli {
 namespace {
 
-/// As TOML writes a float: with a point or an exponent, exactly.
-std::string number(double value) {
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value);
-    std::string text(digits, end.ptr);
-    if (text.find_first_of(".en") == std::string::npos) text += ".0";
-    return text;
-}
-
-std::string inline_table(const renderer::TechniqueChoice& choice) {
-    std::string text = fmt::format("{{ technique = \"{}\"", choice.technique);
-    const renderer::Technique* technique = renderer::find_technique(choice.technique);
-    if (technique != nullptr && technique->samples.high > 0) {
-        text += fmt::format(", samples = {}, denoise = \"{}\"", choice.samples, choice.denoise);
+/// As TOML writes a string on one line.
+std::string quoted(const std::string& text) {
+    std::string safe = "\"";
+    for (const char letter : text) {
+        if (letter == '"' || letter == '\\') safe += '\\';
+        safe += letter;
     }
-    for (const auto& [name, value] : choice.parameters) {
-        text += fmt::format(", {} = {}", name, number(value));
-    }
-    return text + " }";
+    return safe + '"';
 }
 
 /// Where a line and column of the text are; both count from 1. Columns count code points.
@@ -63,36 +55,104 @@ struct Replacement {
     std::string text;
 };
 
-}  // namespace
-
-std::string with_variants(std::string_view text, const std::string& name,
-                          const std::vector<VariantChange>& changes) {
-    toml::table study;
+toml::table parsed(std::string_view text, const std::string& name) {
     try {
-        study = toml::parse(text);
+        return toml::parse(text);
     } catch (const toml::parse_error& error) {
         throw base::bad_input("{}:{}: {}", name, error.source().begin.line, error.description());
     }
-    std::vector<Replacement> replacements;
-    for (const VariantChange& change : changes) {
-        const toml::table* condition = find_condition(study, change.condition);
-        const toml::table* side =
-            condition == nullptr ? nullptr : (*condition)[std::string(1, change.side)].as_table();
-        if (side == nullptr || !side->is_inline()) {
-            throw base::bad_input("{}: condition \"{}\" has no side {} as an inline table", name,
-                                  change.condition, change.side);
-        }
-        replacements.push_back({offset_of(text, side->source().begin),
-                                offset_of(text, side->source().end), inline_table(change.choice)});
-    }
+}
+
+std::string replaced(std::string_view text, std::vector<Replacement> replacements) {
     // From the end, so that what comes before keeps its place.
-    std::sort(replacements.begin(), replacements.end(),
-              [](const Replacement& a, const Replacement& b) { return a.begin > b.begin; });
+    std::stable_sort(replacements.begin(), replacements.end(),
+                     [](const Replacement& a, const Replacement& b) { return a.begin > b.begin; });
     std::string changed(text);
     for (const Replacement& replacement : replacements) {
         changed.replace(replacement.begin, replacement.end - replacement.begin, replacement.text);
     }
     return changed;
+}
+
+Replacement in_place_of(std::string_view text, const toml::node& node, std::string by) {
+    return {offset_of(text, node.source().begin), offset_of(text, node.source().end),
+            std::move(by)};
+}
+
+/// The parameters that a side has are replaced, the others added behind its last value.
+void change_side(std::string_view text, const toml::table& side, const VariantChange& change,
+                 std::vector<Replacement>& replacements) {
+    std::size_t last = 0;
+    for (const auto& [key, value] : side) {
+        last = std::max(last, offset_of(text, value.source().end));
+    }
+    Replacement added{last, last, ""};
+    for (const auto& [key, value] : change.parameters) {
+        const toml::node* node = side.get(key);
+        if (node != nullptr) {
+            replacements.push_back(in_place_of(text, *node, toml_float(value)));
+        } else {
+            added.text +=
+                fmt::format("{}{} = {}", side.is_inline() ? ", " : "\n", key, toml_float(value));
+        }
+    }
+    if (!added.text.empty()) replacements.push_back(added);
+}
+
+std::string path_from(const std::filesystem::path& to, const std::filesystem::path& file) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
+    };
+    const fs::path target = whole(file);
+    const fs::path relative = target.lexically_relative(whole(to));
+    return (relative.empty() ? target : relative).generic_string();
+}
+
+}  // namespace
+
+std::string with_variants(std::string_view text, const std::string& name,
+                          const std::vector<VariantChange>& changes) {
+    const toml::table study = parsed(text, name);
+    std::vector<Replacement> replacements;
+    std::set<std::pair<std::string, char>> changed;
+    for (const VariantChange& change : changes) {
+        const toml::table* condition = find_condition(study, change.condition);
+        const toml::table* side =
+            condition == nullptr ? nullptr : (*condition)[std::string(1, change.side)].as_table();
+        if (side == nullptr) {
+            throw base::bad_input("{}: condition \"{}\" has no side {} of its own", name,
+                                  change.condition, change.side);
+        }
+        if (!changed.insert({change.condition, change.side}).second) {
+            throw base::bad_input("{}: side {} of condition \"{}\" is to be changed twice", name,
+                                  change.side, change.condition);
+        }
+        change_side(text, *side, change, replacements);
+    }
+    return replaced(text, std::move(replacements));
+}
+
+std::string with_paths_from(std::string_view text, const std::string& name,
+                            const std::filesystem::path& from, const std::filesystem::path& to) {
+    const toml::table study = parsed(text, name);
+    std::vector<Replacement> replacements;
+    const toml::array* scenes = study["scene"].as_array();
+    if (scenes == nullptr) return std::string(text);
+    for (const toml::node& scene : *scenes) {
+        if (!scene.is_table()) continue;
+        for (const char* key : {"source", "environment"}) {
+            const toml::node* node = scene.as_table()->get(key);
+            const auto path = node != nullptr ? node->value<std::string>() : std::nullopt;
+            if (!path || std::filesystem::path(*path).is_absolute()) continue;
+            if (key == std::string_view("source") && !is_file_source(*path)) continue;
+            const std::string moved = path_from(to, from / *path);
+            if (moved != path_from(from, from / *path)) {
+                replacements.push_back(in_place_of(text, *node, quoted(moved)));
+            }
+        }
+    }
+    return replaced(text, std::move(replacements));
 }
 
 }  // namespace obscura::stimuli

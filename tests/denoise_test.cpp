@@ -20,8 +20,7 @@ class DenoiseTest : public testing::Test {
         TechniqueChoice choice = tests::choice_of(technique, denoise);
         choice.parameters = std::move(parameters);
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, {}, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene, {}), choice, 256, 256));
+        return renderer_.render({gpu, {}, tests::forward_camera()}, choice, 256, 256);
     }
     HeadlessContext context_;
     Renderer renderer_;
@@ -104,7 +103,7 @@ TEST_F(DenoiseTest, SeparableNeverLeaksAcrossADepthEdge) {
 
 TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {
     for (const Denoise& denoise : denoise_filters()) {
-        if (denoise.passes == 0) continue;
+        if (denoise.recipe.steps.empty()) continue;
         const Frame frame = render(tests::facing_wall(5.0F), "blizzard", denoise.name);
         for (const float value : frame.read_floats(Target::kDenoised)) {
             ASSERT_EQ(value, 1.0F) << denoise.name;

@@ -129,8 +129,9 @@ TEST_F(Generate, MakesAgainWhatAChangedStudyAsksFor) {
     study_.conditions[0].b.parameters["radius_m"] = 0.9;
     const Generated again = make();
     EXPECT_EQ(again.made, 1);
-    EXPECT_EQ(load_manifest(folder_ / "manifest.json").find("I", "b")->parameters.at("radius_m"),
-              0.9);
+    EXPECT_EQ(
+        load_manifest(folder_ / "manifest.json").find("I", "b")->variant.parameters.at("radius_m"),
+        0.9);
 }
 
 TEST_F(Generate, ADamagedManifestIsMadeAgain) {
@@ -203,7 +204,7 @@ TEST_F(Generate, FilesOfTheUsersOwnStay) {
 TEST_F(Generate, AnEntryThatSaysSomethingElseIsFoundAndMadeAnew) {
     make();
     Manifest manifest = load_manifest(folder_ / "manifest.json");
-    manifest.images[1].samples = 99;
+    manifest.images[1].variant.samples = 99;
     save_manifest(folder_ / "manifest.json", manifest);
     EXPECT_EQ(check().size(), 1U);
     EXPECT_EQ(make().made, 1);

@@ -131,8 +131,7 @@ class Light : public testing::Test {
     Frame render(const Scene& scene, const Lighting& lighting, const Camera& camera, int width,
                  int height) {
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, lighting, camera, {},
-                                plan_frame(needs_of(scene, lighting), {}, width, height));
+        return renderer_.render({gpu, lighting, camera}, {}, width, height);
     }
     HeadlessContext context_;
     Renderer renderer_;
@@ -206,8 +205,7 @@ TEST_F(Light, AccessibilityScalesTheAmbientTermAndNothingElse) {
     const auto middle = [&](const TechniqueChoice& choice) {
         const GpuScene gpu(scene);
         const Frame frame =
-            renderer_.render(gpu, lighting, tests::forward_camera(), choice,
-                             plan_frame(needs_of(scene, lighting), choice, 256, 256));
+            renderer_.render({gpu, lighting, tests::forward_camera()}, choice, 256, 256);
         return static_cast<int>(frame.read_display()[3 * (128 * 256 + 128)]);
     };
     const auto srgb = [](double linear) {

@@ -61,11 +61,9 @@ class Stimuli : public testing::Test {
         image.source = "atrium";
         image.camera = "nave";
         image.validity = "high";
-        image.technique = choice.technique;
-        image.samples = choice.samples;
-        image.parameters = choice.parameters;
-        if (choice.technique == "raymarch") image.parameters["radius_m"] = 0.5;  // its standard
-        image.denoise = choice.denoise;
+        image.variant = choice;
+        if (choice.technique == "raymarch")
+            image.variant.parameters["radius_m"] = 0.5;  // its standard
         image.width = study_.width;
         image.height = study_.height;
         image.passes = {"geometry", "ao", "composite"};
@@ -86,7 +84,7 @@ class Stimuli : public testing::Test {
 };
 
 TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
-    manifest_.images[1].parameters = {{"radius_m", 0.1}, {"power", 1.0 / 3.0}};
+    manifest_.images[1].variant.parameters = {{"radius_m", 0.1}, {"power", 1.0 / 3.0}};
     save_manifest(folder_ / "manifest.json", manifest_);
     const Manifest back = load_manifest(folder_ / "manifest.json");
     EXPECT_EQ(back.study, manifest_.study);
@@ -96,12 +94,11 @@ TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
     for (std::size_t i = 0; i < 4; ++i) {
         const ManifestImage& x = back.images[i];
         const ManifestImage& y = manifest_.images[i];
-        EXPECT_EQ(std::tie(x.file, x.sha256, x.condition, x.side, x.scene, x.source, x.camera,
-                           x.validity, x.technique, x.samples, x.parameters, x.denoise, x.width,
-                           x.height, x.passes, x.milliseconds, x.inputs_sha256),
-                  std::tie(y.file, y.sha256, y.condition, y.side, y.scene, y.source, y.camera,
-                           y.validity, y.technique, y.samples, y.parameters, y.denoise, y.width,
-                           y.height, y.passes, y.milliseconds, y.inputs_sha256));
+        EXPECT_EQ(
+            std::tie(x.file, x.sha256, x.condition, x.side, x.scene, x.source, x.camera, x.validity,
+                     x.variant, x.width, x.height, x.passes, x.milliseconds, x.inputs_sha256),
+            std::tie(y.file, y.sha256, y.condition, y.side, y.scene, y.source, y.camera, y.validity,
+                     y.variant, y.width, y.height, y.passes, y.milliseconds, y.inputs_sha256));
     }
     EXPECT_EQ(back.find("two", "b")->file, "two-b.png");
     EXPECT_EQ(back.find("two", "c"), nullptr);

@@ -10,20 +10,20 @@ namespace obscura::stimuli {
 namespace {
 
 using renderer::Frame;
-using renderer::Pass;
+using renderer::Phase;
 using renderer::PlannedTarget;
 using renderer::Target;
 
 /// The targets that may differ within a pair: what follows from accessibility.
-bool follows_from_accessibility(Target target) {
-    return target == Target::kAccessibility || target == Target::kDenoiseStep ||
-           target == Target::kDenoised || target == Target::kHdr || target == Target::kDisplay ||
-           target == Target::kResolved;
+bool follows_from_accessibility(const PlannedTarget& target) {
+    return target.is(Target::kAccessibility) || target.is("denoise step") ||
+           target.is(Target::kDenoised) || target.is(Target::kHdr) || target.is(Target::kDisplay) ||
+           target.is(Target::kResolved);
 }
 
 /// What the composite multiplied the ambient light by; 1 everywhere without a technique.
 std::vector<float> accessibility_of(const Frame& frame) {
-    if (frame.plan().has(Pass::kAccessibility)) {
+    if (frame.plan().has(Phase::kTechnique)) {
         return frame.read_floats(frame.plan().final_accessibility());
     }
     return std::vector<float>(
@@ -41,13 +41,13 @@ Study small_study() {
 void expect_shared_targets_equal(const Frame& a, const Frame& b, const std::string& pair) {
     int shared = 0;
     for (const PlannedTarget& planned : a.plan().targets) {
-        if (follows_from_accessibility(planned.target) ||
-            b.plan().find(planned.target) == nullptr || planned.target == Target::kShadow) {
+        if (follows_from_accessibility(planned) || b.plan().find(planned) == nullptr ||
+            planned.is(Target::kShadow)) {
             continue;
         }
         ++shared;
-        EXPECT_TRUE(a.read_bytes(planned.target) == b.read_bytes(planned.target))
-            << pair << ": " << to_string(planned.target) << " differs";
+        EXPECT_TRUE(a.read_bytes(planned) == b.read_bytes(planned))
+            << pair << ": " << planned.name << " differs";
     }
     EXPECT_GE(shared, 3) << pair;
 }
@@ -91,10 +91,10 @@ void expect_equal_pixels_where_equally_open(const Frame& a, const Frame& b,
 
 void expect_finite(const Frame& frame, const std::string& file) {
     for (const PlannedTarget& planned : frame.plan().targets) {
-        if (planned.target != Target::kAccessibility && planned.target != Target::kDenoised) {
+        if (!planned.is(Target::kAccessibility) && !planned.is(Target::kDenoised)) {
             continue;
         }
-        for (const float value : frame.read_floats(planned.target)) {
+        for (const float value : frame.read_floats(planned)) {
             ASSERT_TRUE(std::isfinite(value) && value >= 0.0F && value <= 1.0F) << file;
         }
     }
@@ -120,11 +120,11 @@ TEST(Pairs, TheRelicUnderCrytekHasNeitherNormalNorLightTargets) {
     const Study study = small_study();
     StimulusRenderer renderer(study);
     const Frame frame = renderer.render({study.find_condition("I"), 'a'});
-    for (const Target absent :
+    for (const renderer::Buffer& absent :
          {Target::kNormal, Target::kAmbient, Target::kDirect, Target::kShadow, Target::kHdr}) {
-        EXPECT_EQ(frame.plan().find(absent), nullptr) << to_string(absent);
+        EXPECT_EQ(frame.plan().find(absent), nullptr) << absent.name;
     }
-    EXPECT_FALSE(frame.plan().has(Pass::kLight));
+    EXPECT_FALSE(frame.plan().has(Phase::kLight));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/denoise/denoise.h"
 #include "renderer/frame/plan.h"
 #include "tests/test_scenes.h"
 
@@ -44,30 +45,30 @@ TEST(Plan, ConstantLightUnderCrytekAllocatesNeitherNormalNorLight) {
     EXPECT_EQ(plan.find(Target::kDirect), nullptr);
     EXPECT_EQ(plan.find(Target::kShadow), nullptr);
     EXPECT_EQ(plan.find(Target::kHdr), nullptr);
-    EXPECT_FALSE(plan.has(Pass::kLight));
+    EXPECT_FALSE(plan.has(Phase::kLight));
     EXPECT_NE(plan.find(Target::kDepth), nullptr);
 }
 
 TEST(Plan, ConstantLightUnderBlizzardAddsTheNormalAndNoLight) {
     const FramePlan plan = plan_frame({}, choice_of("blizzard"), 1280, 720);
     EXPECT_NE(plan.find(Target::kNormal), nullptr);
-    EXPECT_FALSE(plan.has(Pass::kLight));
+    EXPECT_FALSE(plan.has(Phase::kLight));
 }
 
 TEST(Plan, NoneUnderConstantLightIsGeometryAndComposite) {
     const FramePlan plan = plan_frame({}, choice_of("none"), 1280, 720);
     ASSERT_EQ(plan.passes.size(), 2U);
-    EXPECT_TRUE(plan.has(Pass::kGeometry));
-    EXPECT_TRUE(plan.has(Pass::kComposite));
+    EXPECT_TRUE(plan.has(Phase::kGeometry));
+    EXPECT_TRUE(plan.has(Phase::kComposite));
     EXPECT_EQ(plan.find(Target::kDepth), nullptr);
 }
 
 TEST(Plan, EverythingOnHasEveryPassAndLeavesNothingOut) {
     const FramePlan plan =
         plan_frame(all_needs(), choice_of("blizzard", "separable"), 640, 360, all_options());
-    EXPECT_EQ(plan.passes.size(), 11U);
+    EXPECT_EQ(plan.passes.size(), 12U);  // the filter has two steps
     EXPECT_TRUE(plan.left_out.empty());
-    EXPECT_EQ(plan.final_accessibility(), Target::kDenoised);
+    EXPECT_EQ(plan.final_accessibility(), "denoised");
     EXPECT_EQ(plan.find(Target::kPointShadow)->layers, 12);
     EXPECT_EQ(plan.find(Target::kHdr)->width, 1280);
     EXPECT_EQ(plan.find(Target::kResolved)->width, 640);
@@ -89,25 +90,24 @@ TEST(Plan, WhatASceneHasNotIsLeftOutWithAReason) {
 
 TEST(Plan, EveryTargetThatIsReadIsWrittenBefore) {
     for (const Technique& technique : techniques()) {
-        for (const char* denoise : {"none", "box4", "separable"}) {
+        for (const Denoise& denoise : denoise_filters()) {
+            if (!technique.makes_accessibility() && !denoise.recipe.steps.empty()) continue;
             for (const auto& [needs, options] :
                  {std::pair(SceneNeeds{}, FrameOptions{}), std::pair(high_needs(), FrameOptions{}),
                   std::pair(all_needs(), all_options())}) {
                 const FramePlan plan =
-                    plan_frame(needs, choice_of(technique.name, denoise), 64, 64, options);
-                std::vector<Target> written;
+                    plan_frame(needs, choice_of(technique.name, denoise.name), 64, 64, options);
+                std::vector<std::string> written;
                 for (const PlannedPass& pass : plan.passes) {
-                    for (const Target target : pass.reads) {
+                    for (const auto& [target, sampler] : pass.reads) {
                         EXPECT_NE(std::find(written.begin(), written.end(), target), written.end())
-                            << technique.name << ": " << to_string(pass.pass) << " reads "
-                            << to_string(target);
+                            << technique.name << ": " << pass.name << " reads " << target;
                     }
                     written.insert(written.end(), pass.writes.begin(), pass.writes.end());
                 }
                 for (const PlannedTarget& target : plan.targets) {
-                    EXPECT_NE(std::find(written.begin(), written.end(), target.target),
-                              written.end())
-                        << to_string(target.target) << " is allocated and never written";
+                    EXPECT_NE(std::find(written.begin(), written.end(), target.name), written.end())
+                        << target.name << " is allocated and never written";
                 }
             }
         }

@@ -174,7 +174,7 @@ TEST_F(SceneStudy, AFileThatIsMissingOrBrokenIsAProblemOfItsLine) {
     EXPECT_THAT(missing[0].message, HasSubstr("bux.obj: the file is missing"));
     base::write_file_atomically(folder_ / "models/box.obj", "v 1 2\n");
     EXPECT_THAT(problems("camera = \"overview\"\nvalidity = \"low\""),
-                HasSubstr("box.obj:1: v has"));
+                HasSubstr("box.obj:1: \"v 1 2\": a position wants"));
 }
 
 TEST_F(SceneStudy, FilesAreNotOpenedWhereTheyAreTrusted) {
@@ -281,6 +281,22 @@ TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
     const Manifest manifest = load_manifest(out / "manifest.json");
     EXPECT_THAT(manifest.images.at(0).scene_notes, testing::Contains(HasSubstr("absent.mtl")));
     EXPECT_THAT(warnings_of(load_study("jakobsen2010")), testing::IsEmpty());
+}
+
+TEST_F(SceneStudy, WhatACameraSeesFromBehindIsWarnedOfForTheCameraInUse) {
+    const auto warnings_from = [this](const char* position) {
+        const StudyReading reading = read(fmt::format(
+            "camera = {{ position_m = {}, target_m = [0, 0.5, 0], vertical_fov_deg = 40 }}\n"
+            "validity = \"low\"",
+            position));
+        EXPECT_EQ(to_lines(reading.problems, "study"), "");
+        return warnings_of(reading.study);
+    };
+    EXPECT_THAT(warnings_from("[4, 3, 5]"), testing::Each(testing::Not(HasSubstr("behind"))));
+    // From below the floor.
+    EXPECT_THAT(
+        warnings_from("[4, -3, 5]"),
+        Contains(HasSubstr("seen from behind, where they are lit as from the front: 100 %")));
 }
 
 TEST_F(SceneStudy, TheExampleOverTheOriginalScenesLacksNothingButItsFiles) {

@@ -22,9 +22,8 @@ class Supersampling : public testing::Test {
     Frame render(const Scene& scene, const TechniqueChoice& choice, const FrameOptions& options,
                  const TracedAccessibility& traced = {}) {
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, {}, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene, {}), choice, kWidth, kHeight, options),
-                                traced);
+        return renderer_.render({gpu, {}, tests::forward_camera(), options, traced}, choice, kWidth,
+                                kHeight);
     }
 
     HeadlessContext context_;
@@ -35,15 +34,16 @@ TEST_F(Supersampling, LeavesTheAccessibilityAsItIsWithOneSampleAPixel) {
     const Scene scene = tests::scene_of_all_kinds();
     for (const std::optional<float> occluding :
          {std::optional<float>(), std::optional<float>(0.9F)}) {
-        for (const char* name : {"crytek", "blizzard", "raymarch"}) {
-            const TechniqueChoice choice = choice_of(name, "separable");
+        for (const Technique& technique : techniques()) {
+            if (technique.recipe == nullptr || !technique.makes_accessibility()) continue;
+            const Variant choice = choice_of(technique.name, "separable");
             const Frame once = render(scene, choice, {.occluding_opacity = occluding});
             for (const int samples : {2, 3, 4}) {
                 const Frame often = render(
                     scene, choice, {.supersampling = samples, .occluding_opacity = occluding});
                 EXPECT_EQ(once.read_bytes(once.plan().final_accessibility()),
                           often.read_bytes(often.plan().final_accessibility()))
-                    << name << ", " << samples << " samples a side";
+                    << technique.name << ", " << samples << " samples a side";
             }
         }
     }

@@ -45,9 +45,8 @@ class Surface : public testing::Test {
     Frame render(const Scene& scene, const Lighting& lighting, const FrameOptions& options = {},
                  const TechniqueChoice& choice = {}) {
         const GpuScene gpu(scene);
-        return renderer_.render(
-            gpu, lighting, tests::forward_camera(), choice,
-            plan_frame(needs_of(scene, lighting), choice, kSize, kSize, options));
+        return renderer_.render({gpu, lighting, tests::forward_camera(), options}, choice, kSize,
+                                kSize);
     }
     static int at(const Frame& frame, int column, int row, int channel = 0) {
         return frame.read_display()[3 * (static_cast<std::size_t>(row) * kSize + column) + channel];
@@ -171,9 +170,8 @@ TEST_F(Surface, APointLightCastsShadowsOnEverySide) {
             camera.target_m = along * 5.0F;
             camera.up = glm::vec3(axis.z, axis.x, axis.y);
             const GpuScene gpu(scene);
-            const FramePlan plan = plan_frame(needs_of(scene, lighting), {}, kSize, kSize);
             const auto pixel = [&](const glm::vec3& point) {
-                const Frame frame = renderer_.render(gpu, lighting, camera, {}, plan);
+                const Frame frame = renderer_.render({gpu, lighting, camera}, {}, kSize, kSize);
                 const CameraMatrices matrices = matrices_of(camera, kSize, kSize);
                 const glm::vec4 clip =
                     matrices.clip_from_view * matrices.view_from_world * glm::vec4(point, 1.0F);

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "renderer/gl/context.h"
+#include "renderer/hard_cases/bench.h"
 #include "renderer/passes/shared_constants.h"
-#include "tests/technique_model.h"
 #include "tests/test_scenes.h"
 
 namespace obscura::renderer {
@@ -23,8 +23,7 @@ class Techniques : public testing::TestWithParam<std::string> {
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;
         const GpuScene gpu(scene);
-        return renderer_.render(gpu, lighting, camera, choice,
-                                plan_frame(needs_of(scene, lighting), choice, width, height));
+        return renderer_.render({gpu, lighting, camera}, choice, width, height);
     }
 
     /// The accessibility in the middle of the image, where no sample leaves it.
@@ -47,15 +46,24 @@ class Techniques : public testing::TestWithParam<std::string> {
 
 using Computing = Techniques;
 
-TEST_F(Techniques, AWallFacingTheCameraHasThreeQuartersUnderCrytek) {
-    const Frame frame = render(facing_wall(5.0F), choice_of("crytek"), 256, 256);
-    EXPECT_THAT(middle(frame), testing::Each(testing::FloatNear(0.75F, 1e-6F)));
+TEST_F(Techniques, AWallFacingTheCameraHasTheClosedFormOfEachDefinition) {
+    EXPECT_EQ(find_technique("crytek")->facing_wall, 0.75);
+    EXPECT_EQ(find_technique("blizzard")->facing_wall, 1.0);
+    for (const Technique& technique : techniques()) {
+        if (!technique.model) continue;
+        const Frame frame = render(facing_wall(5.0F), choice_of(technique.name), 256, 256);
+        const auto expected = static_cast<float>(technique.facing_wall);
+        EXPECT_THAT(middle(frame), testing::Each(testing::FloatNear(expected, 1e-6F)))
+            << technique.name;
+    }
 }
 
-TEST_F(Techniques, AWallFacingTheCameraIsOpenUnderBlizzardAndRaymarch) {
-    for (const char* name : {"blizzard", "raymarch"}) {
-        const Frame frame = render(facing_wall(5.0F), choice_of(name), 256, 256);
-        EXPECT_THAT(frame.read_floats(Target::kAccessibility), testing::Each(1.0F)) << name;
+TEST_F(Techniques, EachThatAShaderComputesHasAModelAndAReachFromZero) {
+    for (const Technique& technique : techniques()) {
+        if (technique.recipe == nullptr || !technique.makes_accessibility()) continue;
+        EXPECT_TRUE(technique.model) << technique.name;
+        ASSERT_NE(technique.find_parameter(technique.reach), nullptr) << technique.name;
+        EXPECT_EQ(technique.find_parameter(technique.reach)->low, 0.0) << technique.name;
     }
 }
 
@@ -91,9 +99,9 @@ TEST_P(Computing, EveryValueIsFiniteAndInRangeOnHardGeometry) {
     scene.meshes.push_back(line);
     for (const double radius : {0.0, 1e-8, 0.5, 1000.0}) {
         TechniqueChoice choice = choice_of(GetParam());
-        const bool crytek = GetParam() == "crytek";
-        choice.parameters[crytek ? "offset_scale" : "radius_m"] =
-            crytek ? std::min(radius, 1.0) : radius;
+        const Technique& technique = *find_technique(GetParam());
+        const Parameter& reach = *technique.find_parameter(technique.reach);
+        choice.parameters[reach.name] = std::min(radius, reach.high);
         const Frame frame = render(scene, choice, 121, 67);
         for (const float value : frame.read_floats(Target::kAccessibility)) {
             ASSERT_TRUE(std::isfinite(value) && value >= 0.0F && value <= 1.0F)
@@ -107,7 +115,9 @@ TEST_P(Computing, ACornerIsDarkerThanTheOpenWall) {
     tests::add_quad(scene, {-20.0F, -1.0F, -6.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 20.0F, 0.0F});
     tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -6.0F});
     TechniqueChoice choice = choice_of(GetParam());
-    if (GetParam() != "crytek") choice.parameters["power"] = 64.0;
+    if (find_technique(GetParam())->find_parameter("power") != nullptr) {
+        choice.parameters["power"] = 64.0;
+    }
     const Frame frame = render(scene, choice, 256, 256);
     const std::vector<float> open = frame.read_floats(Target::kAccessibility);
     const std::vector<float> depth = frame.read_floats(Target::kDepth);
@@ -130,8 +140,7 @@ TEST_P(Computing, TheSameFrameTwiceIsTheSameToTheByte) {
     const Frame first = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     const Frame second = render(facing_wall(3.0F), choice_of(GetParam()), 64, 48);
     for (const PlannedTarget& planned : first.plan().targets) {
-        EXPECT_EQ(first.read_bytes(planned.target), second.read_bytes(planned.target))
-            << to_string(planned.target);
+        EXPECT_EQ(first.read_bytes(planned), second.read_bytes(planned)) << planned.name;
     }
 }
 
@@ -161,43 +170,44 @@ TEST_P(Computing, EveryPixelIsWhatTheDefinitionGives) {
     camera.position_m = {0.6F, 1.4F, 0.5F};
     camera.target_m = {-0.2F, -0.3F, -4.0F};
     camera.far_m = 30.0F;
+    camera.lens_shift = {0.1F, -0.2F};
     TechniqueChoice choice = choice_of(GetParam());
-    const bool crytek = GetParam() == "crytek";
-    const int steps = GetParam() == "raymarch" ? 4 : 1;
-    const tests::TechniqueModel::Curve curve{0.9, 0.03, 1.1, 6.0};
-    if (crytek) {
-        choice.parameters = {{"offset_scale", 0.02}};
-    } else {
-        choice.parameters = {{"radius_m", curve.radius_m},
-                             {"full_threshold_m", curve.full_m},
-                             {"no_threshold_m", curve.no_m},
-                             {"power", curve.power}};
+    const Technique& technique = *find_technique(GetParam());
+    for (const auto& [name, value] : {std::pair("offset_scale", 0.02),
+                                      {"radius_m", 0.9},
+                                      {"full_threshold_m", 0.03},
+                                      {"no_threshold_m", 1.1},
+                                      {"depth_scale_per_m", 1.2},
+                                      {"power", 6.0}}) {
+        if (technique.find_parameter(name) != nullptr) choice.parameters[name] = value;
     }
-    const Frame frame = render(cluttered_scene(), choice, 128, 96, camera);
-    const tests::TechniqueModel model(frame, camera);
-    const std::vector<float> measured = frame.read_floats(Target::kAccessibility);
-    int compared = 0;
-    int off = 0;
-    double sum = 0.0;
-    for (int y = 0; y < 96; ++y) {
-        for (int x = 0; x < 128; ++x) {
-            if (model.depth_m(x, y) > kBackgroundLimit_m) continue;
-            const double expected = crytek ? model.crytek(x, y, choice.samples, 0.02)
-                                           : model.view_space(x, y, choice.samples, steps, curve);
-            const double found = measured[static_cast<std::size_t>(95 - y) * 128 + x];
-            ++compared;
-            sum += found;
-            if (std::abs(found - expected) > 1e-4) ++off;
-        }
+    for (const char* format : {"r32f", "r16f"}) {
+        choice.depth_format = format;
+        const Frame frame = render(cluttered_scene(), choice, 128, 96, camera);
+        const SeenBuffers buffers = seen_buffers(frame, camera);
+        const std::vector<float> measured = frame.read_floats(Target::kAccessibility);
+        const Agreement found =
+            agreement_of(admitted_by(technique.model(buffers, choice), buffers), measured, 128, "");
+        EXPECT_EQ(found.off, 0U) << found.worst.where << ": defined " << found.worst.definition
+                                 << ", measured " << found.worst.measured << ", allowed "
+                                 << found.worst.allowed;
+        EXPECT_EQ(found.pixels, 128U * 96U);
+        EXPECT_LT(found.uncertain, found.pixels / 20);
+        double sum = 0.0;
+        for (const float value : measured) sum += value;
+        EXPECT_LT(sum / (128.0 * 96.0), 0.98) << "nothing was occluded";
     }
-    // A sample on the border of two texels or on a threshold may fall either way in single
-    // precision; hardly any pixel has one.
-    EXPECT_GT(compared, 8000);
-    EXPECT_LT(off, compared / 50);
-    EXPECT_LT(sum / compared, 0.98) << "nothing was occluded";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Computing, testing::Values("crytek", "blizzard", "raymarch"),
+std::vector<std::string> names_of_those_with_a_model() {
+    std::vector<std::string> names;
+    for (const Technique& technique : techniques()) {
+        if (technique.model) names.push_back(technique.name);
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Computing, testing::ValuesIn(names_of_those_with_a_model()),
                          [](const auto& tested) { return tested.param; });
 
 TEST_F(Techniques, RaymarchFindsAnOccluderThatBlizzardStepsOver) {

@@ -13,8 +13,8 @@ namespace obscura::stimuli {
 namespace {
 
 using renderer::Frame;
-using renderer::Pass;
 using renderer::PassTime;
+using renderer::Phase;
 
 /// Two views of the thesis's study whose conditions ask for every technique in turn, so that each
 /// image meets the buffers of one that needed others.
@@ -52,7 +52,7 @@ TEST(ViewBuffers, AnImageOfAStudyThatTakesThemOverIsTheSameToTheByte) {
         EXPECT_TRUE(alone.read_display() == next.read_display()) << stimulus.file();
         ASSERT_EQ(next.times.size(), next.plan().passes.size()) << stimulus.file();
         for (std::size_t i = 0; i < next.times.size(); ++i) {
-            EXPECT_EQ(next.times[i].pass, next.plan().passes[i].pass);
+            EXPECT_EQ(next.times[i].name, next.plan().passes[i].name);
             EXPECT_GT(next.times[i].milliseconds, 0.0);
         }
     }
@@ -63,13 +63,12 @@ class TakenOver : public testing::Test {
   protected:
     Frame render(const renderer::TechniqueChoice& choice, const renderer::FrameOptions& options,
                  const renderer::ViewBuffers& known = {}, int width = 32) {
-        return renderer_.render(gpu_, lighting_, tests::forward_camera(), choice,
-                                plan_frame(needs_of(scene_, lighting_), choice, width, 32, options),
-                                {}, known);
+        return renderer_.render({gpu_, lighting_, tests::forward_camera(), options}, choice, width,
+                                32, known);
     }
-    static bool has(const Frame& frame, Pass pass) {
+    static bool has(const Frame& frame, Phase phase) {
         return std::any_of(frame.taken_over().begin(), frame.taken_over().end(),
-                           [pass](const PassTime& time) { return time.pass == pass; });
+                           [phase](const PassTime& time) { return time.phase == phase; });
     }
 
     renderer::HeadlessContext context_;
@@ -102,8 +101,7 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
             const renderer::TechniqueChoice choice = tests::choice_of(name);
             const auto render = [&](const renderer::ViewBuffers& from) {
                 return renderer_.render(
-                    gpu, lighting, tests::forward_camera(), choice,
-                    plan_frame(needs_of(scene, lighting), choice, 48, 32, options), half_open,
+                    {gpu, lighting, tests::forward_camera(), options, half_open}, choice, 48, 32,
                     from);
             };
             const Frame alone = render({});
@@ -111,8 +109,8 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
             EXPECT_EQ(next.taken_over().empty(), known.times.empty()) << name;
             for (const renderer::PlannedTarget& planned : alone.plan().targets) {
                 if (planned.layers > 1) continue;
-                EXPECT_TRUE(alone.read_bytes(planned.target) == next.read_bytes(planned.target))
-                    << name << ": " << to_string(planned.target);
+                EXPECT_TRUE(alone.read_bytes(planned) == next.read_bytes(planned))
+                    << name << ": " << planned.name;
             }
             known = next.view_buffers();
         }
@@ -121,13 +119,14 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
 
 TEST_F(TakenOver, ArePassesWhoseBuffersAreAllThere) {
     const Frame crytek = render({"crytek", 24, {}, "none"}, {});
-    EXPECT_TRUE(has(render({"crytek", 8, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
+    EXPECT_TRUE(
+        has(render({"crytek", 8, {}, "none"}, {}, crytek.view_buffers()), Phase::kGeometry));
     // The normal that Blizzard reads is missing; None needs less than there is.
     EXPECT_FALSE(
-        has(render({"blizzard", 24, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
-    EXPECT_TRUE(has(render({"none", 0, {}, "none"}, {}, crytek.view_buffers()), Pass::kGeometry));
+        has(render({"blizzard", 24, {}, "none"}, {}, crytek.view_buffers()), Phase::kGeometry));
+    EXPECT_TRUE(has(render({"none", 0, {}, "none"}, {}, crytek.view_buffers()), Phase::kGeometry));
     EXPECT_FALSE(
-        has(render({"crytek", 24, {}, "none"}, {}, crytek.view_buffers()), Pass::kAccessibility));
+        has(render({"crytek", 24, {}, "none"}, {}, crytek.view_buffers()), Phase::kTechnique));
 }
 
 TEST_F(TakenOver, IsNothingOfAnotherSizeFormatOrOption) {

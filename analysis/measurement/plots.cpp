@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "analysis/measurement/pareto.h"
@@ -44,24 +45,50 @@ struct Point {
     double ms;
     double rmse;
     int samples;
-    std::string label;  ///< the variant's name where the study shows it
 };
 
 /// A row without cost, as `none`, has no place on log axes.
-std::vector<Point> points_of(const std::vector<MeasurementRow>& rows, const std::string& technique,
-                             const std::string& blur, bool fitted) {
+bool has_place(const MeasurementRow& row) {
+    return row.error.has_value() && row.cost.median_ms > 0.0 && row.error->rmse > 0.0;
+}
+
+/// The points that one line joins: a technique with the same parameters, fitted or not.
+struct Series {
+    std::string technique;
+    bool fitted = false;
+    std::map<std::string, double> parameters;
+    std::string label;  ///< the technique's name; a further one of a technique has its variant's
     std::vector<Point> points;
-    for (const MeasurementRow& row : rows) {
-        if (row.technique != technique || row.blur != blur || row.fitted != fitted) continue;
-        if (!row.error.has_value() || !(row.cost.median_ms > 0.0) || !(row.error->rmse > 0.0)) {
-            continue;
-        }
-        points.push_back({row.cost.median_ms, row.error->rmse, row.samples,
-                          row.published.empty() ? "" : row.variant});
+
+    [[nodiscard]] bool holds(const MeasurementRow& row) const {
+        return row.technique == technique && row.fitted == fitted && row.parameters == parameters;
     }
-    std::sort(points.begin(), points.end(),
-              [](const Point& a, const Point& b) { return a.samples < b.samples; });
-    return points;
+};
+
+std::vector<Series> series_of(const std::vector<MeasurementRow>& rows, const std::string& blur) {
+    std::vector<Series> all;
+    for (const MeasurementRow& row : rows) {
+        if (row.blur != blur || !has_place(row)) continue;
+        auto series = std::find_if(all.begin(), all.end(),
+                                   [&](const Series& known) { return known.holds(row); });
+        if (series == all.end()) {
+            const bool first = std::none_of(all.begin(), all.end(), [&](const Series& known) {
+                return known.technique == row.technique && known.fitted == row.fitted;
+            });
+            all.push_back({row.technique,
+                           row.fitted,
+                           row.parameters,
+                           first ? row.technique : row.variant,
+                           {}});
+            series = all.end() - 1;
+        }
+        series->points.push_back({row.cost.median_ms, row.error->rmse, row.samples});
+    }
+    for (Series& series : all) {
+        std::stable_sort(series.points.begin(), series.points.end(),
+                         [](const Point& a, const Point& b) { return a.samples < b.samples; });
+    }
+    return all;
 }
 
 /// Blocks of one data file, each named for `index`.
@@ -96,15 +123,10 @@ class ErrorOverTime {
 
     [[nodiscard]] Plot draw() {
         std::vector<std::string> techniques;
-        for (const MeasurementRow& row : rows_) {
-            if (std::find(techniques.begin(), techniques.end(), row.technique) ==
-                techniques.end()) {
-                techniques.push_back(row.technique);
-            }
-        }
-        for (std::size_t i = 0; i < techniques.size(); ++i) {
-            add_line(techniques[i], false, i);
-            add_line(techniques[i], true, i);
+        for (const Series& series : series_of(rows_, blur_)) {
+            auto at = std::find(techniques.begin(), techniques.end(), series.technique);
+            if (at == techniques.end()) at = techniques.insert(at, series.technique);
+            add_line(series, static_cast<std::size_t>(at - techniques.begin()));
         }
         add_front();
         add_rings();
@@ -130,15 +152,16 @@ class ErrorOverTime {
                                       title.empty() ? "notitle" : "title " + quoted(title)));
     }
 
-    /// Techniques differ in colour and shape, filled as published, open when fitted.
-    void add_line(const std::string& technique, bool fitted, std::size_t index) {
+    /// Techniques differ in colour and shape, filled before a fit, open when fitted.
+    void add_line(const Series& series, std::size_t index) {
         constexpr std::array kFilled{7, 5, 9, 11, 13};  // gnuplot's circle, square, triangles ...
-        const std::vector<Point> points = points_of(rows_, technique, blur_, fitted);
-        const int shape = kFilled[index % kFilled.size()] - (fitted ? 1 : 0);
-        add_curve(technique + (fitted ? "_fitted" : "_published"), lines_of(points),
-                  fmt::format("using 1:2 with linespoints lc rgb \"{}\" lw 2 pt {} ps 0.8 dt {}",
-                              kColours[index % kColours.size()], shape, fitted ? 2 : 1),
-                  technique + (fitted ? ", fitted" : ""));
+        const int shape = kFilled[index % kFilled.size()] - (series.fitted ? 1 : 0);
+        add_curve(
+            fmt::format("line_{}_{}{}", ++lines_, series.technique, series.fitted ? "_fitted" : ""),
+            lines_of(series.points),
+            fmt::format("using 1:2 with linespoints lc rgb \"{}\" lw 2 pt {} ps 0.8 dt {}",
+                        kColours[index % kColours.size()], shape, series.fitted ? 2 : 1),
+            series.label + (series.fitted ? ", fitted" : ""));
     }
 
     /// Limits of both axes around what is drawn and the line of 8-bit rounding; errors end at 1.
@@ -160,7 +183,7 @@ class ErrorOverTime {
     void add_front() {
         std::vector<CostAndError> all;
         for (const MeasurementRow& row : rows_) {
-            if (row.error.has_value() && row.cost.median_ms > 0.0 && row.error->rmse > 0.0) {
+            if (has_place(row)) {
                 all.push_back({row.cost.median_ms, row.error->rmse});
             }
         }
@@ -176,12 +199,11 @@ class ErrorOverTime {
         std::vector<std::string> lines;
         std::set<std::string> named;
         for (const MeasurementRow& row : rows_) {
-            const bool drawn = !row.published.empty() && !row.fitted && row.blur == blur_ &&
-                               row.error.has_value() && row.cost.median_ms > 0.0 &&
-                               row.error->rmse > 0.0;
+            const bool drawn =
+                !row.published.empty() && !row.fitted && row.blur == blur_ && has_place(row);
             if (!drawn || !named.insert(row.variant).second) continue;
             lines.push_back(fmt::format("{}\t{}\t{}", shortest(row.cost.median_ms),
-                                        shortest(row.error->rmse), file_stem(row.variant)));
+                                        shortest(row.error->rmse), quoted(row.variant)));
         }
         if (lines.empty()) return;
         add_curve("shown", lines, "using 1:2 with points pt 6 ps 2 lw 2 lc rgb \"#000000\"",
@@ -196,6 +218,7 @@ class ErrorOverTime {
     std::string file_;
     Blocks blocks_;
     std::vector<std::string> curves_;
+    int lines_ = 0;
 };
 
 }  // namespace
@@ -207,8 +230,8 @@ Plot error_over_time(const std::vector<MeasurementRow>& rows, const std::string&
     const std::string name =
         "error-over-time-" + file_stem(rows.empty()
                                            ? view
-                                           : rows.front().scene + ' ' + rows.front().camera + ' ' +
-                                                 rows.front().validity);
+                                           : rows.front().scene_id + ' ' + rows.front().camera +
+                                                 ' ' + rows.front().validity);
     Plot plot = ErrorOverTime(rows, blur, name + ".dat").draw();
     plot.name = name;
     plot.title = fmt::format("Speed against error: {} (filter: {})", view, blur);

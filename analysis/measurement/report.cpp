@@ -34,6 +34,13 @@ std::vector<std::vector<MeasurementRow>> by_view(const std::vector<MeasurementRo
     return views;
 }
 
+/// The variant with what of it is not as usual.
+std::string setting_name(const MeasurementRow& row) {
+    std::string name = row.variant;
+    if (row.samples > 0 && row.blur != "separable") name += ", " + row.blur;
+    return name + (row.depth_format == "r32f" ? "" : ", " + row.depth_format);
+}
+
 std::string cell(const Possible<AccessibilityError>& error, double AccessibilityError::*member) {
     return error.has_value() ? fmt::format("{:.4f}", (*error).*member) : "-";
 }
@@ -58,8 +65,7 @@ Table table_of(const std::vector<MeasurementRow>& rows) {
     for (const MeasurementRow& row : rows) {
         table.rows.push_back(
             {row.variant, row.blur + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
-             row.fitted ? "fitted" : "published",
-             fmt::format("{:.2f}", row.accessibility.median_ms),
+             row.values, fmt::format("{:.2f}", row.accessibility.median_ms),
              fmt::format("{:.2f}", row.denoise.median_ms),
              fmt::format("{:.2f}", row.frame.median_ms), std::to_string(row.fetches_per_px),
              cell(row.error, &AccessibilityError::rmse), cell(row.error, &AccessibilityError::bias),
@@ -72,8 +78,11 @@ Table table_of(const std::vector<MeasurementRow>& rows) {
     return table;
 }
 
-/// The settings that the study shows, and what they become when fitted.
-std::vector<MeasurementRow> shown_in_study(const std::vector<MeasurementRow>& rows) {
+/// The settings that the study shows, and what they become when fitted; all where there is no
+/// study.
+std::vector<MeasurementRow> to_be_looked_at(const MeasurementReport& report,
+                                            const std::vector<MeasurementRow>& rows) {
+    if (!report.of_study) return rows;
     std::vector<MeasurementRow> shown;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
                  [](const MeasurementRow& row) { return !row.published.empty(); });
@@ -82,19 +91,48 @@ std::vector<MeasurementRow> shown_in_study(const std::vector<MeasurementRow>& ro
 
 Table hard_case_table(const std::vector<HardCaseRow>& rows, Holds wanted) {
     Table table;
-    table.headings = {"case", "technique", "quantity", "expected", "measured", "tolerance", "note"};
+    table.headings = {"case",       "technique", "quantity",  "truth",
+                      "definition", "measured",  "tolerance", "note"};
     for (const HardCaseRow& row : rows) {
         if (row.holds != wanted) continue;
         table.rows.push_back(
-            {row.name, row.technique, row.quantity, fmt::format("{:.6g}", row.expected),
+            {row.name, row.technique, row.quantity,
+             // What holds a shader against its definition says nothing of truth.
+             row.against == HeldAgainst::kTruth ? fmt::format("{:.6g}", row.expected) : "",
+             row.definition ? fmt::format("{:.6g}", *row.definition) : "",
              fmt::format("{:.6g}", row.measured), fmt::format("{:.3g}", row.tolerance), row.note});
     }
     return table;
 }
 
+/// What the columns of the hard cases mean, and the rows by what became of them.
+void put_hard_cases(const std::vector<HardCaseRow>& rows, Page& page) {
+    page.heading("Hard cases");
+    page.paragraph(hard_cases_in_a_sentence(rows));
+    page.paragraph(
+        "Truth is a closed form or what any sound image has; definition is the same quantity "
+        "by the technique's own definition, evaluated in double precision on the buffers that the "
+        "shader read. Truth minus definition is the technique's nature; definition minus "
+        "measured is the shader's arithmetic, which nothing excuses.");
+    const std::pair<Holds, const char*> parts[] = {
+        {Holds::kNo, "These fail, and nothing explains it"},
+        {Holds::kUndecided, "These are not decided: the machine was too busy for their times"},
+        {Holds::kByNature, "These fail by the technique's own definition"},
+        {Holds::kYes, "These hold"}};
+    for (const auto& [holds, title] : parts) {
+        const Table table = hard_case_table(rows, holds);
+        if (!table.rows.empty()) page.table(table, title);
+    }
+}
+
+std::string trained_on(const Fitted& fit) {
+    const std::string cameras = fmt::format("{}", fmt::join(fit.training_cameras, ", "));
+    return fit.on_the_same_view() ? cameras + ": fitted and reported on the same view" : cameras;
+}
+
 Table fitted_table(const std::vector<Fitted>& fitted) {
     Table table;
-    table.headings = {"scene",  "variant",     "trained on", "published",
+    table.headings = {"scene",  "variant",     "trained on", "before",
                       "fitted", "RMSE before", "RMSE after", "evaluations"};
     const auto listed = [](const std::map<std::string, double>& parameters) {
         std::string text;
@@ -105,9 +143,8 @@ Table fitted_table(const std::vector<Fitted>& fitted) {
     };
     for (const Fitted& fit : fitted) {
         table.rows.push_back(
-            {fit.scene, fit.technique + std::to_string(fit.samples),
-             fmt::format("{}", fmt::join(fit.training_cameras, ", ")), listed(fit.before),
-             listed(fit.after), fmt::format("{:.4f}", fit.training_rmse_before),
+            {fit.scene_id, fit.technique + std::to_string(fit.samples), trained_on(fit),
+             listed(fit.before), listed(fit.after), fmt::format("{:.4f}", fit.training_rmse_before),
              fmt::format("{:.4f}", fit.training_rmse_after), std::to_string(fit.evaluations)});
     }
     return table;
@@ -154,17 +191,22 @@ class Folder {
 
 void put_speed_and_error(const MeasurementReport& report, Page& page, Folder& folder) {
     if (report.rows.empty()) return;
-    const std::vector<OrderOfTechniques> orders = orders_of_techniques(report.rows, report.blur);
-    page.heading("Does accuracy order the techniques as the thesis assumes?");
-    page.paragraph(order_in_a_sentence(orders));
-    std::vector<std::string> sentences;
-    for (const OrderOfTechniques& order : orders) sentences.push_back(order.sentence);
-    if (!sentences.empty()) page.list(sentences);
+    if (report.asks_order) {
+        const auto orders = orders_of_techniques(report.rows, report.blur);
+        page.heading("Does accuracy order the techniques as the thesis assumes?");
+        page.paragraph(order_in_a_sentence(orders));
+        std::vector<std::string> sentences;
+        for (const OrderOfTechniques& order : orders) sentences.push_back(order.sentence);
+        if (!sentences.empty()) page.list(sentences);
+    }
     page.heading("Speed against error");
     for (const auto& rows : by_view(report.rows)) {
         page.heading(view_name(rows.front()), 3);
         folder.draw_on(page, error_over_time(rows, report.blur));
-        page.table(table_of(shown_in_study(rows)), "The settings that the study shows");
+        if (report.of_study) {
+            page.table(table_of(to_be_looked_at(report, rows)),
+                       "The settings that the study shows");
+        }
     }
 }
 
@@ -190,17 +232,7 @@ void put_details(const MeasurementReport& report, Page& page, Folder& folder) {
             folder.draw_on(page, growth_plot(report.growth, quantity));
         }
     }
-    if (!report.hard_cases.empty()) {
-        page.heading("Hard cases");
-        page.paragraph(hard_cases_in_a_sentence(report.hard_cases));
-        if (count_of(report.hard_cases).no > 0) {
-            page.table(hard_case_table(report.hard_cases, Holds::kNo),
-                       "These fail, and nothing explains it");
-        }
-        page.table(hard_case_table(report.hard_cases, Holds::kByNature),
-                   "These fail by the technique's own definition");
-        page.table(hard_case_table(report.hard_cases, Holds::kYes), "These hold");
-    }
+    if (!report.hard_cases.empty()) put_hard_cases(report.hard_cases, page);
     if (!report.rows.empty()) {
         page.heading("All measurements");
         for (const auto& rows : by_view(report.rows)) {
@@ -215,9 +247,12 @@ std::string json_of(const MeasurementReport& report) {
     json["device"] = report.device;
     json["timer_check"] = report.timer_check;
     json["method"] = report.method;
-    const auto orders = orders_of_techniques(report.rows, report.blur);
-    json["order"] = order_in_a_sentence(orders);
     json["orders"] = nlohmann::ordered_json::array();
+    std::vector<OrderOfTechniques> orders;
+    if (report.asks_order) {
+        orders = orders_of_techniques(report.rows, report.blur);
+        json["order"] = order_in_a_sentence(orders);
+    }
     for (const OrderOfTechniques& order : orders) {
         json["orders"].push_back({{"view", order.view},
                                   {"fitted", order.fitted},
@@ -232,15 +267,16 @@ std::string json_of(const MeasurementReport& report) {
 }  // namespace
 
 std::string fitted_csv(const std::vector<Fitted>& fitted) {
-    std::string text =
-        csv_line({"scene", "technique", "samples", "blur", "parameter", "published", "fitted",
-                  "training_rmse_published", "training_rmse_fitted", "evaluations"});
+    std::string text = csv_line({"scene_id", "scene", "technique", "samples", "blur", "parameter",
+                                 "published", "fitted", "training_rmse_published",
+                                 "training_rmse_fitted", "evaluations", "same_view"});
     for (const Fitted& fit : fitted) {
         for (const auto& [name, value] : fit.after) {
-            text += csv_line({fit.scene, fit.technique, std::to_string(fit.samples), fit.blur, name,
-                              shortest(fit.before.at(name)), shortest(value),
+            text += csv_line({fit.scene_id, fit.scene, fit.technique, std::to_string(fit.samples),
+                              fit.blur, name, shortest(fit.before.at(name)), shortest(value),
                               shortest(fit.training_rmse_before), shortest(fit.training_rmse_after),
-                              std::to_string(fit.evaluations)});
+                              std::to_string(fit.evaluations),
+                              fit.on_the_same_view() ? "true" : "false"});
         }
     }
     return text;
@@ -253,18 +289,25 @@ std::string report_text(const MeasurementReport& report) {
         text +=
             fmt::format("\n{:<28} {:<15} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
                         "variant", "values", "AO ms", "frame ms", "fetches", "RMSE", "bias", "p99");
-        for (const MeasurementRow& row : shown_in_study(report.rows)) {
+        for (const MeasurementRow& row : to_be_looked_at(report, report.rows)) {
             text += fmt::format("{:<28} {:<15} {:<10} {:>9.2f} {:>9.2f} {:>8} {:>8} {:>8} {:>8}\n",
-                                view_name(row), row.variant, row.fitted ? "fitted" : "published",
-                                row.cost.median_ms, row.frame.median_ms, row.fetches_per_px,
+                                view_name(row), setting_name(row), row.values, row.cost.median_ms,
+                                row.frame.median_ms, row.fetches_per_px,
                                 cell(row.error, &AccessibilityError::rmse),
                                 cell(row.error, &AccessibilityError::bias),
                                 cell(row.error, &AccessibilityError::p99));
         }
+    }
+    if (report.asks_order && !report.rows.empty()) {
         const auto orders = orders_of_techniques(report.rows, report.blur);
         text += '\n';
         for (const OrderOfTechniques& order : orders) text += order.sentence + '\n';
         text += order_in_a_sentence(orders) + '\n';
+    }
+    for (const Fitted& fit : report.fitted) {
+        if (!fit.on_the_same_view()) continue;
+        text += fmt::format("{}, {}{}: fitted and reported on the same view ({}).\n", fit.scene_id,
+                            fit.technique, fit.samples, fmt::join(fit.reported_cameras, ", "));
     }
     for (const Growth& growth : report.growth) {
         text +=

@@ -16,17 +16,22 @@ namespace obscura::analysis {
 
 /// What a fit of one technique to one scene found.
 struct Fitted {
+    std::string scene_id;  ///< the study's names of the views of that scene
     std::string scene;
     std::string technique;
     int samples = 0;
     std::string blur;
+    std::string depth_format = "r32f";
     std::vector<std::string> training_cameras;
     std::vector<std::string> reported_cameras;
-    std::map<std::string, double> before;  ///< parameters as published
+    std::map<std::string, double> before;  ///< parameters that it started from
     std::map<std::string, double> after;
     double training_rmse_before = 0.0;
     double training_rmse_after = 0.0;
     int evaluations = 0;
+
+    /// Whether it is reported on what it was fitted to: the scene has no other camera.
+    [[nodiscard]] bool on_the_same_view() const { return training_cameras == reported_cameras; }
 };
 
 /// Everything that one run of a measurement found.
@@ -36,6 +41,8 @@ struct MeasurementReport {
     std::string timer_check;          ///< the self-check of timer against clock, in a sentence
     std::vector<std::string> method;  ///< sizes, rays, runs: sentences
     std::string blur;                 ///< filter of the lines in the plots
+    bool of_study = true;             ///< false: of scenes without a study, which shows nothing
+    bool asks_order = false;  ///< whether the study assumes the thesis's order of techniques
     std::vector<MeasurementRow> rows;
     std::vector<Fitted> fitted;
     std::vector<ErrorMap> maps;
@@ -51,11 +58,11 @@ std::vector<std::filesystem::path> write_report(const MeasurementReport& report,
                                                 const std::filesystem::path& folder);
 
 /// What measure prints: the sentences of the page, and a table of the settings that the study
-/// shows.
+/// shows; of all where there is no study.
 [[nodiscard]] std::string report_text(const MeasurementReport& report);
 
-/// scene,technique,samples,blur,parameter,published,fitted and the training error: one row a
-/// parameter.
+/// scene_id,scene,technique,samples,blur,parameter,published,fitted, the training error, and
+/// same_view, whether it is reported on what it was fitted to: one row a parameter.
 [[nodiscard]] std::string fitted_csv(const std::vector<Fitted>& fitted);
 
 }  // namespace obscura::analysis

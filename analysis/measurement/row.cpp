@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/measurement/row.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 
 #include "analysis/table/csv.h"
@@ -57,6 +60,10 @@ using Error = AccessibilityError;
 /// The columns that others rely on, in their order.
 std::vector<Column> fixed_columns() {
     return {
+        {"scene_id",
+         [](const Row& r) -> Cell {
+             return {r.scene_id, ""};
+         }},
         {"scene",
          [](const Row& r) -> Cell {
              return {r.scene, ""};
@@ -147,6 +154,10 @@ std::vector<Column> further_columns() {
          [](const Row& r) -> Cell {
              return {r.variant, ""};
          }},
+        {"values",
+         [](const Row& r) -> Cell {
+             return {r.values, ""};
+         }},
         {"published",
          [](const Row& r) -> Cell {
              return {r.published, ""};
@@ -225,6 +236,34 @@ const std::vector<Column>& columns() {
     return list;
 }
 
+using Parameters = std::map<std::string, double>;
+
+/// The parameters that tell the sets apart, the radius before others.
+std::vector<std::string> telling_apart(const std::set<Parameters>& sets) {
+    std::vector<std::string> order{"radius_m"};
+    for (const auto& [name, value] : *sets.begin()) {
+        if (name != order.front()) order.push_back(name);
+    }
+    std::vector<std::string> chosen;
+    std::size_t told_apart = 1;
+    for (const std::string& name : order) {
+        chosen.push_back(name);
+        std::set<std::vector<double>> seen;
+        for (const Parameters& parameters : sets) {
+            std::vector<double> values;
+            for (const std::string& key : chosen) {
+                const auto value = parameters.find(key);
+                values.push_back(value != parameters.end() ? value->second : 0.0);
+            }
+            seen.insert(values);
+        }
+        if (seen.size() == told_apart) chosen.pop_back();
+        told_apart = seen.size();
+        if (told_apart == sets.size()) break;
+    }
+    return chosen;
+}
+
 std::string csv_cell(const Json& value) {
     if (value.is_null()) return "";
     if (value.is_string()) return value.get<std::string>();
@@ -262,13 +301,35 @@ std::string measurement_json(const std::vector<MeasurementRow>& rows) {
 
 bool same_view(const MeasurementRow& a, const MeasurementRow& b) {
     const auto key = [](const Row& r) {
-        return std::tie(r.scene, r.camera, r.validity, r.width, r.height, r.device);
+        return std::tie(r.scene_id, r.scene, r.camera, r.validity, r.width, r.height, r.device);
     };
     return key(a) == key(b);
 }
 
 std::string view_name(const MeasurementRow& row) {
-    return row.scene + ", " + row.camera + ", " + row.validity;
+    return row.scene_id + ", " + row.camera + ", " + row.validity;
+}
+
+void name_variants_apart(std::vector<MeasurementRow>& rows) {
+    std::vector<std::string> names;
+    for (const MeasurementRow& row : rows) {
+        std::set<Parameters> sets;
+        for (const MeasurementRow& other : rows) {
+            if (same_view(row, other) && row.variant == other.variant &&
+                row.fitted == other.fitted) {
+                sets.insert(other.parameters);
+            }
+        }
+        std::string name = row.variant;
+        if (sets.size() > 1) {
+            for (const std::string& key : telling_apart(sets)) {
+                name += fmt::format(" {} {:.4g}", key == "radius_m" ? "R" : key,
+                                    row.parameters.at(key));
+            }
+        }
+        names.push_back(name);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].variant = names[i];
 }
 
 void mark_front(std::vector<MeasurementRow>& rows) {

@@ -18,11 +18,12 @@ namespace obscura::analysis {
 /// One setting of one technique on one view of one scene: what it costs and how far it is from the
 /// truth.
 struct MeasurementRow {
+    std::string scene_id;  ///< the study's name of the view's scene; else the scene's own
     std::string scene;     ///< built-in scene or file
     std::string camera;    ///< of that scene
     std::string validity;  ///< low, moderate, high
     std::string technique;
-    std::string variant;  ///< as the thesis names it: Blizzard24
+    std::string variant;  ///< as the thesis names it, with what differs: Blizzard24 R 0.2
     int samples = 0;
     std::string blur;       ///< filter of the accessibility buffer, or none
     double ao_scale = 1.0;  ///< size of the accessibility buffer over that of the image
@@ -30,9 +31,12 @@ struct MeasurementRow {
     std::string noise;  ///< how samples are turned from pixel to pixel
     int width = 0;
     int height = 0;
-    std::string device;     ///< OpenGL's name of what rendered
-    std::string timer;      ///< clock or queries: what the times were taken with
-    bool fitted = false;    ///< false: the values as published
+    std::string device;  ///< OpenGL's name of what rendered
+    std::string timer;   ///< clock or queries: what the times were taken with
+    bool fitted = false;
+    /// Where the values come from: published (the study's for that scene), standard (the
+    /// technique's own), start (another scene of the study), fitted.
+    std::string values = "published";
     std::string published;  ///< conditions of the study that show just this setting; may be empty
     std::map<std::string, double> parameters;
 
@@ -63,10 +67,14 @@ struct MeasurementRow {
 /// median cost and RMSE.
 void mark_front(std::vector<MeasurementRow>& rows);
 
+/// Where variants of a view have one name and differ in parameters, adds what differs to the names:
+/// `Blizzard24 R 0.2`, and as many parameters more as it takes.
+void name_variants_apart(std::vector<MeasurementRow>& rows);
+
 /// Whether both are of the same view of the same scene, at the same size, on the same device.
 [[nodiscard]] bool same_view(const MeasurementRow& a, const MeasurementRow& b);
 
-/// `scene, camera, validity`, as titles and sentences name a row's view.
+/// `scene_id, camera, validity`, as titles and sentences name a row's view.
 [[nodiscard]] std::string view_name(const MeasurementRow& row);
 
 }  // namespace obscura::analysis

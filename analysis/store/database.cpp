@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cctype>
@@ -208,7 +209,9 @@ void Database::require_whole() {
     std::string finding;
     session_ << (small ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)"),
         soci::into(finding);
-    if (finding != "ok") throw damaged("open", finding);
+    if (finding == "ok") return;
+    std::replace(finding.begin(), finding.end(), '\n', ' ');  // of a message in one line
+    throw damaged("open", finding);
 }
 
 void Database::require_in_place() {

@@ -74,12 +74,18 @@ class Store {
     [[nodiscard]] std::vector<TrialRecord> trials();
     [[nodiscard]] std::vector<TrialRecord> trials_of(const std::string& session_id);
     [[nodiscard]] std::vector<EventRecord> events();
+    [[nodiscard]] std::vector<EventRecord> events_of(const std::string& session_id);
+    /// Events that are of no session.
+    [[nodiscard]] std::vector<EventRecord> other_events();
 
     /// The same, a row at a time and in the same order: a million trials need no memory. What
     /// `take` throws ends the reading and goes on to the caller. A record is the callee's for the
     /// call only; it may read the store, not write it.
     void each_participant(const std::function<void(const ParticipantRecord&)>& take);
     void each_session(const std::function<void(const SessionRecord&)>& take);
+    /// Each session with its events, of one moment.
+    void each_session_with_events(
+        const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take);
     /// Each trial with its session, of one moment.
     void each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take);
     /// Sessions, then trials, in order of their rows and with only what an analysis counts: the

@@ -104,7 +104,7 @@ std::string text_of(const ordered_json& value) {
     return value.dump();
 }
 
-class Columns {
+class JsonColumns {
   public:
     void add(const std::string& name, const ordered_json& value, int depth, Row& row) {
         const bool is_short =
@@ -140,7 +140,7 @@ class Columns {
 void for_each_json_row(std::string_view text, const std::string& name,
                        const std::function<void(const CsvRow&)>& take) {
     Scanner scanner(text, name);
-    Columns columns;
+    JsonColumns columns;
     std::vector<Row> rows;
     int line = 1;
     for (auto object = scanner.next(line); !object.empty(); object = scanner.next(line)) {

@@ -56,6 +56,16 @@ bool is_number(std::string_view field) {
     return NumberReader(false).whole(trimmed(field), kMost).has_value();
 }
 
+/// An array or object begins, and not a header whose first name stands in brackets.
+bool looks_like_json(std::string_view text) {
+    constexpr std::size_t kLooked = 1000;
+    const std::string_view start = trimmed(text.substr(0, kLooked));
+    if (!start.starts_with('[') && !start.starts_with('{')) return false;
+    const std::string_view next = trimmed(start.substr(1));
+    constexpr std::string_view kBegins = "{[}]\"-0123456789";
+    return next.empty() || kBegins.find(next.front()) != std::string_view::npos;
+}
+
 /// Gives each row the header's width.
 class Widths {
   public:
@@ -120,8 +130,7 @@ Table::Table(std::string bytes, const std::string& name) : name_(name) {
     if (!decoded.encoding.empty()) {
         notes_.push_back(fmt::format("the text is no UTF-8, it is read as {}", decoded.encoding));
     }
-    const std::string_view start = trimmed(std::string_view(text_).substr(0, 100));
-    is_json_ = start.starts_with('[') || start.starts_with('{');
+    is_json_ = looks_like_json(text_);
     rest_ = text_;
     if (!is_json_) find_separator();
 }

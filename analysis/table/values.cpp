@@ -69,8 +69,11 @@ bool is_missing(std::string_view text) {
 std::optional<bool> truth(std::string_view text) {
     if (text == "1") return true;
     if (text == "0") return false;
-    constexpr std::array<std::string_view, 4> kTrue{"true", "t", "yes", "y"};
-    constexpr std::array<std::string_view, 4> kFalse{"false", "f", "no", "n"};
+    // The later ones are those of spreadsheets in German, French, Spanish, Italian and Dutch.
+    constexpr std::array<std::string_view, 9> kTrue{"true", "t",         "yes",  "y",   "wahr",
+                                                    "vrai", "verdadero", "vero", "waar"};
+    constexpr std::array<std::string_view, 8> kFalse{"false",  "f",    "no",    "n",
+                                                     "falsch", "faux", "falso", "onwaar"};
     if (is_one_of(text, kTrue)) return true;
     if (is_one_of(text, kFalse)) return false;
     const auto number = NumberReader(true).whole(text, 1);

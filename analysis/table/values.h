@@ -25,7 +25,8 @@ namespace obscura::analysis {
 /// The same, and None, nil, missing, a point, a dash or two: no number, no yes or no.
 [[nodiscard]] bool is_missing(std::string_view text);
 
-/// true, t, yes, y and 1 (also 1.0); false, f, no, n and 0; else nothing.
+/// true, t, yes, y and 1 (also 1.0); false, f, no, n and 0; true and false as a spreadsheet writes
+/// them in some other languages; else nothing.
 [[nodiscard]] std::optional<bool> truth(std::string_view text);
 
 /// Numbers of one table.

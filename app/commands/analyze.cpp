@@ -16,6 +16,7 @@
 #include "app/commands/report_input.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
+#include "stimuli/view_names.h"
 
 namespace obscura::app {
 namespace {
@@ -29,6 +30,7 @@ struct Options {
     std::string study;
     std::string study_file;
     std::string kind = "participant";
+    bool validity = false;
     bool json = false;
     std::filesystem::path measurement;  ///< empty: the data folder's
     std::filesystem::path out;          ///< empty: nothing is written
@@ -58,6 +60,9 @@ Answers answers_of_store(const std::string& url, const Options& options) {
 Answers answers_of(const Options& options, const Globals& globals) {
     if (options.published) return {analysis::published_votes()};
     const analysis::ColumnMap map(options.map);
+    if (!options.map.empty() && options.counts.empty() && options.trials.empty()) {
+        throw base::bad_input("--map {}: it needs --trials or --counts", options.map.front());
+    }
     if (!options.counts.empty()) return {analysis::read_counts(options.counts, map)};
     if (options.trials.empty()) {
         return answers_of_store(options.db.empty() ? globals.store_url() : options.db, options);
@@ -82,13 +87,13 @@ std::optional<stimuli::Study> study_of(const Options& options, const analysis::T
     return study;
 }
 
-void write_report(analysis::Analysis result, Answers answers, const Options& options,
+void write_report(analysis::Analysis result, Answers answers,
+                  const std::optional<stimuli::Study>& study, const Options& options,
                   const Globals& globals) {
     analysis::ReportInput input;
     input.analysis = std::move(result);
     input.attendance = std::move(answers.attendance);
-    add_sources(input,
-                {globals.data, study_of(options, input.analysis.tally), options.measurement});
+    add_sources(input, {globals.data, study, options.measurement});
     analysis::write_report(analysis::report_files(input), options.out);
     if (globals.quiet) return;
     fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
@@ -100,11 +105,14 @@ base::ExitCode analyze(const Options& options, const Globals& globals) {
     for (const std::string& note : answers.tally.notes) {
         spdlog::warn("{}: {}", answers.tally.source, note);
     }
+    answers.tally.asks_validity = options.validity;
+    const std::optional<stimuli::Study> study = study_of(options, answers.tally);
+    if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     analysis::Analysis result = analysis::analyse(answers.tally);
     const std::string shown =
         options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
-        write_report(std::move(result), std::move(answers), options, globals);
+        write_report(std::move(result), std::move(answers), study, options, globals);
     }
     fmt::print("{}", shown);
     return base::ExitCode::kDone;
@@ -150,16 +158,19 @@ void attach_sources(CLI::App& app, Options& options) {
 std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
     auto options = std::make_shared<Options>();
     attach_sources(app, *options);
+    app.add_flag("--validity", options->validity,
+                 "Also ask whether the preference depends on ecological validity, as the built-in "
+                 "study does: the same two variants in the same scene at two levels; corrected "
+                 "together with the hypotheses");
     app.add_flag("--json", options->json, "Print JSON instead of a table");
     auto* out = app.add_option("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
                                "analysis.json, plots/, thumbnails/; what is there is replaced")
                     ->type_name("DIR");
     app.add_option("--study-file", options->study_file,
-                   "Study file, for the report's title and question [the built-in study of that "
-                   "name]")
-        ->type_name("FILE")
-        ->needs(out);
+                   "Study file, for which scenes are the same and for the report's title and "
+                   "question [the built-in study of that name]")
+        ->type_name("FILE");
     app.add_option(
            "--measurement", options->measurement,
            "Table of obscura measure, for speed, error and what relates them to the answers "

@@ -7,10 +7,10 @@
 #include <charconv>
 #include <cstring>
 #include <memory>
-#include <optional>
 
 #include "app/commands/closed_forms_table.h"
 #include "app/commands/list.h"
+#include "app/commands/variant_arguments.h"
 #include "app/commands/variants_help.h"
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
@@ -26,16 +26,13 @@ namespace obscura::app {
 namespace {
 
 using renderer::FloatImage;
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 struct AoOptions {
     std::string scene;
     std::string camera;
     std::string validity;
-    std::string technique;
-    std::optional<int> samples;  ///< the technique's standard
-    std::vector<std::string> settings;
-    std::string denoise = "none";
+    VariantArguments variant;
     std::string size = "1280x720";
     std::string out;
     bool closed_forms = false;
@@ -47,7 +44,7 @@ struct Wanted {
     const renderer::Scene& scene;
     const renderer::Camera& camera;
     stimuli::Validity validity;
-    const TechniqueChoice& choice;
+    const Variant& choice;
     int width;
     int height;
 };
@@ -89,40 +86,6 @@ void parse_size(const std::string& text, int& width, int& height) {
     base::check_range("--size", "height", height, 1, 16384);
 }
 
-TechniqueChoice choice_of(const AoOptions& options) {
-    TechniqueChoice choice;
-    choice.technique = options.technique;
-    choice.denoise = options.denoise;
-    const renderer::Technique* technique = renderer::find_technique(options.technique);
-    if (technique != nullptr) {
-        choice.samples = options.samples.value_or(technique->samples.standard);
-    }
-    for (const std::string& setting : options.settings) {
-        const std::size_t equals = setting.find('=');
-        double value = 0.0;
-        if (equals == std::string::npos || equals == 0 ||
-            !read_number(std::string_view(setting).substr(equals + 1), value)) {
-            throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
-        }
-        if (!choice.parameters.emplace(setting.substr(0, equals), value).second) {
-            throw base::bad_input("--set: \"{}\" is set twice", setting.substr(0, equals));
-        }
-    }
-    std::string all;
-    for (const renderer::ChoiceProblem& problem : renderer::problems_of(choice)) {
-        const bool own_option =
-            problem.key == "technique" || problem.key == "samples" || problem.key == "denoise";
-        all += fmt::format("{}{}{}: {}", all.empty() ? "" : "\n", own_option ? "--" : "--set ",
-                           problem.key, problem.message);
-    }
-    if (!all.empty()) throw base::bad_input("{}", all);
-    if (!technique->makes_accessibility() && choice.denoise != "none") {
-        throw base::bad_input("--denoise: \"{}\" is not allowed: {} has no buffer to smooth",
-                              choice.denoise, choice.technique);
-    }
-    return choice;
-}
-
 void require_writable_file(const std::filesystem::path& file) {
     if (file.extension() != ".exr") {
         throw base::bad_input("--out: \"{}\" does not end in .exr", file.string());
@@ -134,7 +97,7 @@ void require_writable_file(const std::filesystem::path& file) {
 }
 
 renderer::ReferenceImage traced(const renderer::Scene& scene, const renderer::Camera& camera,
-                                int width, int height, const TechniqueChoice& choice,
+                                int width, int height, const Variant& choice,
                                 const Globals& globals) {
     const StopOnInterrupt stop;
     base::Progress progress("trace", 100, globals.quiet);
@@ -153,21 +116,15 @@ std::vector<float> rendered(const Wanted& wanted, const Globals& globals) {
     const renderer::HeadlessContext context;
     const renderer::GpuScene gpu(wanted.scene);
     const renderer::Lighting lighting = wanted.source.lighting(wanted.validity);
-    const renderer::FramePlan plan = renderer::plan_frame(
-        renderer::needs_of(wanted.scene, lighting), wanted.choice, wanted.width, wanted.height);
     const auto trace = [&](const renderer::Camera& camera, int width, int height,
-                           const TechniqueChoice& choice) {
+                           const Variant& choice) {
         return traced(wanted.scene, camera, width, height, choice, globals).accessibility;
     };
     renderer::Renderer renderer;
-    const renderer::Frame frame =
-        renderer.render(gpu, lighting, wanted.camera, wanted.choice, plan, trace);
-    if (!plan.has(renderer::Pass::kAccessibility)) {
-        const auto pixels =
-            static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height);
-        return std::vector<float>(pixels, 1.0F);
-    }
-    return frame.read_floats(plan.final_accessibility());
+    return renderer
+        .render({gpu, lighting, wanted.camera, {}, trace}, wanted.choice, wanted.width,
+                wanted.height)
+        .read_accessibility();
 }
 
 std::array<float, 16> flat(const glm::mat4& matrix) {
@@ -178,15 +135,19 @@ std::array<float, 16> flat(const glm::mat4& matrix) {
 
 /// Says of the image what it is of.
 void describe(const Wanted& wanted, FloatImage& image) {
-    const TechniqueChoice& choice = wanted.choice;
+    const Variant& choice = wanted.choice;
     image.texts = {{"obscura:scene", wanted.source.id},
                    {"obscura:camera", wanted.camera.name},
                    {"obscura:validity", std::string(to_string(wanted.validity))},
                    {"obscura:technique", choice.technique},
                    {"obscura:samples", std::to_string(choice.samples)},
                    {"obscura:denoise", choice.denoise}};
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        image.texts["obscura:" + parameter.name] = fmt::format("{}", choice.value_of(parameter));
+    for (const auto& [name, value] : choice.all_parameters()) {
+        image.texts["obscura:" + name] = fmt::format("{}", value);
+    }
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        const std::string& value = choice.*option.value;
+        if (value != option.standard()) image.texts["obscura:" + option.name] = value;
     }
     const renderer::CameraMatrices matrices =
         renderer::matrices_of(wanted.camera, wanted.width, wanted.height);
@@ -196,19 +157,20 @@ void describe(const Wanted& wanted, FloatImage& image) {
 
 base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     if (options.closed_forms) {
-        print_closed_forms(options.samples.value_or(4096), 1);
+        print_closed_forms(options.variant.samples.value_or(4096), 1);
         return base::ExitCode::kDone;
     }
     for (const auto& [name, value] : {std::pair("--scene", &options.scene),
-                                      {"--technique", &options.technique},
+                                      {"--technique", &options.variant.technique},
                                       {"--out", &options.out}}) {
         if (value->empty()) throw base::bad_input("{} is missing", name);
     }
     FloatImage image;
     parse_size(options.size, image.width, image.height);
-    const TechniqueChoice choice = choice_of(options);
+    const Variant choice = variant_from(options.variant);
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
+    for (const std::string& note : source.notes) spdlog::warn("{}: {}", source.source, note);
     const std::string camera = source.camera_for(options.camera);
     const stimuli::Validity validity = source.level_for(options.validity);
     const renderer::Scene scene = source.build();
@@ -243,12 +205,7 @@ Command ao_command() {
                 app.add_option("--validity", options->validity,
                                "low, moderate or high: the level of the scene's light (default: "
                                "its first)");
-                app.add_option("--technique", options->technique, "See below");
-                app.add_option("--samples", options->samples,
-                               "Samples, or rays, a pixel (default: the technique's)");
-                app.add_option("--set", options->settings, "KEY=NUMBER: a parameter, see below")
-                    ->allow_extra_args(false);
-                app.add_option("--denoise", options->denoise, "Filter")->capture_default_str();
+                add_variant_options(app, options->variant);
                 app.add_option("--size", options->size, "WxH in pixels")->capture_default_str();
                 app.add_option("--out", options->out,
                                "OpenEXR file: channel ao.Y, of the unfiltered reference also "

@@ -15,6 +15,7 @@ namespace obscura::app {
 /// What every command understands.
 struct Globals {
     std::filesystem::path data = "obscura-data";  ///< --data: where a study's files lie
+    std::vector<std::filesystem::path> allowed;   ///< --allow: where scenes' files may lie, too
     bool quiet = false;                           ///< --quiet: warnings and errors only
 
     /// The response store's default URL.

@@ -20,6 +20,7 @@
 #include "renderer/base/log.h"
 #include "renderer/base/progress.h"
 #include "stimuli/generate.h"
+#include "stimuli/view_names.h"
 
 namespace obscura::app {
 namespace {
@@ -125,8 +126,10 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     export_options.software = kiosk::software_version();
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
-    input.analysis = analysis::analyse(analysis::tally_trials(
-        url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
+    analysis::Tally tally = analysis::tally_trials(url_of(file), contents.sessions, contents.trials,
+                                                   study.name, Kind::kSimulated);
+    analysis::name_views(tally, stimuli::view_names(study));
+    input.analysis = analysis::analyse(std::move(tally));
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
     add_sources(input, {out, study, {}});
     analysis::write_report(analysis::report_files(input), reports);

@@ -20,10 +20,16 @@ namespace fs = std::filesystem;
 /// "WxH" as two whole numbers.
 void parse_size(const std::string& text, MeasureRequest& request) {
     const char* const end = text.data() + text.size();
-    const auto [cross, first] = std::from_chars(text.data(), end, request.width);
+    int width = 0;
+    int height = 0;
+    const auto [cross, first] = std::from_chars(text.data(), end, width);
     if (first == std::errc() && cross != end && *cross == 'x') {
-        const auto [rest, second] = std::from_chars(cross + 1, end, request.height);
-        if (second == std::errc() && rest == end) return;
+        const auto [rest, second] = std::from_chars(cross + 1, end, height);
+        if (second == std::errc() && rest == end) {
+            request.width = width;
+            request.height = height;
+            return;
+        }
     }
     throw base::bad_input("--size: \"{}\" is not WIDTHxHEIGHT, such as 640x360", text);
 }
@@ -49,6 +55,7 @@ base::ExitCode run(Options options, const Globals& globals) {
         base::require_writable_folder(parent.empty() ? fs::path(".") : parent, "--write-study");
     }
     const Measured measured = measure(request);
+    for (const std::string& note : measured.notes) spdlog::warn("{}", note);
     fmt::print("{}", analysis::report_text(measured.report));
     const std::vector<fs::path> written = analysis::write_report(measured.report, request.out);
     if (!measured.fitted_study.empty()) {
@@ -90,26 +97,33 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
                    "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
         ->delimiter(',');
     app.add_option("--size", options->size,
-                   "WIDTHxHEIGHT of the images, pixels (default: 640x360)");
-    app.add_option("--rays", request.rays, "Rays a pixel of the ray-traced truth")
-        ->capture_default_str();
+                   fmt::format("WIDTHxHEIGHT of the images, pixels (default: {}x{})",
+                               kUsualSize.width, kUsualSize.height));
     app.add_option(
-           "--runs", request.runs,
-           fmt::format("Timed runs of each setting, after {} that are thrown away", kDiscardedRuns))
-        ->capture_default_str();
-    app.add_flag("--quick", request.quick,
-                 "256x144, 64 rays, 3 runs, one filter, 8, 24 and 64 samples");
+        "--rays", request.rays,
+        fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
+    app.add_option(
+        "--runs", request.runs,
+        fmt::format("Timed runs of each setting, after {} that are thrown away (default: {})",
+                    kDiscardedRuns, kUsualSize.runs));
+    app.add_flag(
+        "--quick", request.quick,
+        fmt::format("{}x{}, {} rays, {} runs, one filter, 8, 24 and 64 samples, each where "
+                    "no other is asked for",
+                    kQuickSize.width, kQuickSize.height, kQuickSize.rays, kQuickSize.runs));
     app.add_flag(
         "--fit", request.fit,
         "Also with the parameters that bring each technique nearest to the truth, found on "
         "other cameras");
-    app.add_option("--write-study", request.write_study,
-                   "With --fit: write a copy of the study with the fitted values");
+    app.add_option(
+        "--write-study", request.write_study,
+        "With --fit: write a copy of the study with the fitted values, checked, and with "
+        "its files named from where it is written");
     app.add_flag("--growth", request.growth,
                  "Instead: how the time of each technique grows with pixels and samples");
     app.add_flag("--hard-cases", request.hard_cases,
-                 "Instead: numerical stability on hard cases (exit code 3 where one fails without "
-                 "a reason)");
+                 "Instead: numerical stability on hard cases, and every technique against its own "
+                 "definition (exit code 3 where one fails without a reason)");
     app.add_option("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
     return [options, &globals] { return run(*options, globals); };
 }

@@ -98,7 +98,7 @@ Command render_command() {
                 ->excludes(verify_flag);
             app.footer(
                 "A variant in a study file: { technique = NAME, samples = N, PARAMETER = NUMBER, "
-                "denoise = FILTER }\n" +
+                "denoise = FILTER, SETTING = \"WORD\" }\n" +
                 variants_help());
             return [options, &globals] { return render(*options, globals); };
         }};

@@ -59,8 +59,8 @@ base::ExitCode inspect(const SceneOptions& options) {
         throw base::bad_input("--technique: there is no technique \"{}\"; there are {}",
                               options.technique, known);
     }
-    renderer::TechniqueChoice choice{options.technique, technique->samples.standard, {}, "none"};
-    if (!technique->shader.empty()) choice.denoise = "separable";
+    renderer::Variant choice = renderer::standard_variant(*technique);
+    choice.denoise = renderer::standard_denoise(*technique);
     const auto [width, height] = parse_size(options.size);
     fmt::print("{}", stimuli::inspection_of(open(options), choice, width, height));
     return base::ExitCode::kDone;
@@ -72,6 +72,7 @@ base::ExitCode export_scene(const SceneOptions& options) {
                               options.out);
     }
     const stimuli::OpenedScene scene = open(options);
+    for (const std::string& note : scene.notes) spdlog::warn("{}: {}", scene.title, note);
     // The lights of the richest level; glTF holds no environment.
     const renderer::Lighting lighting = scene.lighting(scene.levels.back());
     const std::string bytes = renderer::to_glb(*scene.scene, lighting);

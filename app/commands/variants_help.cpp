@@ -3,6 +3,7 @@
 #include "app/commands/variants_help.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/denoise/denoise.h"
 #include "renderer/technique/technique.h"
@@ -27,6 +28,11 @@ std::string variants_help() {
                             parameter.meaning, parameter.low, parameter.high,
                             parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
         }
+    }
+    text += "Settings of every technique:\n";
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        text += fmt::format("  {}: {}; {}, default {}\n", option.name, option.meaning,
+                            fmt::join(option.allowed, " or "), option.standard());
     }
     text += "Filters:\n";
     for (const renderer::Denoise& denoise : renderer::denoise_filters()) {

@@ -32,16 +32,6 @@ void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& 
                           fmt::join(problems, "\n  "), options.remedy);
 }
 
-[[nodiscard]] bool is_file(const std::string& store_url) {
-    return store_url.starts_with("sqlite3://");
-}
-
-[[nodiscard]] std::string saved_note(const std::string& store_url) {
-    if (!is_file(store_url)) return "All answers are saved.";
-    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
-                       std::filesystem::path(store_url).filename().string());
-}
-
 /// Nobody is asked to choose between images that nobody can tell apart, unless the study means it.
 void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& manifest,
                         const std::filesystem::path& folder) {
@@ -52,6 +42,16 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
         "{} has pairs that nobody can tell apart:\n  {}\nmend the study and render it again, or "
         "say identical = true in the condition of a pair that is meant so",
         study.name, fmt::join(alike, "\n  "));
+}
+
+[[nodiscard]] bool is_file(const std::string& store_url) {
+    return store_url.starts_with("sqlite3://");
+}
+
+[[nodiscard]] std::string saved_note(const std::string& store_url) {
+    if (!is_file(store_url)) return "All answers are saved.";
+    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
+                       std::filesystem::path(store_url).filename().string());
 }
 
 /// One kiosk in its window.
@@ -244,6 +244,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
             kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
             options.store_url);
     }
+    store.require_in_place();
 }
 
 }  // namespace obscura::app::kiosk

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_names.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -242,8 +243,9 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.hypothesis = condition.hypothesis;
     row.scene = scene.id;
     row.validity = std::string(stimuli::to_string(scene.validity));
-    row.condition_A = condition.a.variant_name();
-    row.condition_B = condition.b.variant_name();
+    const stimuli::VariantNames names = stimuli::variant_names(*study_);
+    row.condition_A = names.at({condition.id, 'a'});
+    row.condition_B = names.at({condition.id, 'b'});
     row.first_shown = a_first ? 'A' : 'B';
     row.response_first = first;
     row.is_A_selected = first == a_first;

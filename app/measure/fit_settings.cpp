@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/measure/fit_settings.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +48,16 @@ Cameras cameras_of(const std::vector<View>& views, const View& view) {
     return cameras;
 }
 
+/// What the study calls the views of that scene.
+std::string ids_of(const std::vector<View>& views, const View& view) {
+    std::vector<std::string> ids;
+    for (const View& other : views) {
+        const bool known = std::find(ids.begin(), ids.end(), other.scene_id) != ids.end();
+        if (other.scene == view.scene && !known) ids.push_back(other.scene_id);
+    }
+    return fmt::format("{}", fmt::join(ids, ", "));
+}
+
 /// The root mean square of the RMSE on each training camera.
 double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
                      const std::vector<std::string>& cameras, const TechniqueChoice& choice,
@@ -58,7 +70,7 @@ double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
             stage.truth(at, radius_m, effort.width, effort.height, effort.rays);
         const renderer::Frame frame = stage.render_plainly(at, choice, effort.width, effort.height);
         const auto error = analysis::accessibility_error(
-            final_accessibility(frame), truth.accessibility, surface_mask(frame, truth));
+            frame.read_accessibility(), truth.accessibility, surface_mask(frame, truth));
         if (!error.has_value()) {
             throw base::bad_input("scene \"{}\", camera \"{}\": {}", view.scene->id, camera,
                                   error.reason);
@@ -70,11 +82,21 @@ double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
 
 }  // namespace
 
+bool FittedChoice::is_for(const stimuli::SceneSource& on, const TechniqueChoice& other) const {
+    if (scene.get() != &on || other.technique != published.technique) return false;
+    const auto& parameters = renderer::find_technique(other.technique)->parameters;
+    return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
+        const bool found_by_fit =
+            parameter.fit && !parameter.whole && parameter.name != kTruthRadius;
+        return found_by_fit || other.value_of(parameter) == published.value_of(parameter);
+    });
+}
+
 FitEffort fit_effort(const MeasureRequest& request) {
     FitEffort effort;
-    effort.width = std::min(effort.width, request.width);
-    effort.height = std::min(effort.height, request.height);
-    effort.rays = std::min(effort.rays, request.rays);
+    effort.width = std::min(effort.width, *request.width);
+    effort.height = std::min(effort.height, *request.height);
+    effort.rays = std::min(effort.rays, *request.rays);
     if (request.quick)
         effort.search = {.starts = 1, .evaluations = 25, .tolerance = 1e-2, .seed = 1};
     return effort;
@@ -119,10 +141,13 @@ FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort, const std::vect
     const analysis::Minimum found = analysis::minimise(unknowns, error_of, effort.search);
 
     FittedChoice fitted;
-    fitted.source = view.scene->source;
+    fitted.scene = view.scene;
+    fitted.published = published;
     fitted.choice = with(found.values);
     analysis::Fitted& record = fitted.record;
+    record.scene_id = ids_of(views, view);
     record.scene = view.scene->id;
+    record.depth_format = published.depth_format;
     record.technique = published.technique;
     record.samples = published.samples;
     record.blur = published.denoise;

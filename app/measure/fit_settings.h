@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,15 @@ namespace obscura::app {
 
 /// A technique with values that were fitted on one scene.
 struct FittedChoice {
-    std::string source;                ///< of the scene, as the study names it
-    renderer::TechniqueChoice choice;  ///< samples and filter it was fitted with
+    std::shared_ptr<const stimuli::SceneSource> scene;
+    renderer::TechniqueChoice published;  ///< what it was made of: samples and filter of the fit
+    renderer::TechniqueChoice choice;     ///< the same with fitted values
+
+    /// Whether the values are for that choice on that scene too: the technique, R of the truth and
+    /// every parameter that a fit leaves alone are the same. Where a fit starts, samples, filter and
+    /// formats may be others.
+    [[nodiscard]] bool is_for(const stimuli::SceneSource& on,
+                              const renderer::TechniqueChoice& other) const;
     analysis::Fitted record;
 };
 

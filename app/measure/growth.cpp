@@ -60,7 +60,7 @@ std::vector<const renderer::Technique*> growing(const MeasureRequest& request) {
     std::vector<const renderer::Technique*> list;
     for (const std::string& name : measured_techniques(request)) {
         const renderer::Technique* technique = renderer::find_technique(name);
-        if (!technique->shader.empty()) list.push_back(technique);
+        if (technique->recipe != nullptr) list.push_back(technique);
     }
     return list;
 }
@@ -76,7 +76,7 @@ std::size_t growth_steps(const MeasureRequest& request) {
             steps += points_of(request, *technique, quantity).size();
         }
     }
-    return steps * static_cast<std::size_t>(kDiscardedRuns + request.runs);
+    return steps * static_cast<std::size_t>(kDiscardedRuns + *request.runs);
 }
 
 std::vector<analysis::Growth> measure_growth(Stage& stage, const MeasureRequest& request,
@@ -96,7 +96,7 @@ std::vector<analysis::Growth> measure_growth(Stage& stage, const MeasureRequest&
     }
     std::vector<std::vector<RunTimes>> times;
     for (const auto& list : points) times.emplace_back(list.size());
-    for (int run = 0; run < kDiscardedRuns + request.runs; ++run) {
+    for (int run = 0; run < kDiscardedRuns + *request.runs; ++run) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             for (std::size_t k = 0; k < points[i].size(); ++k) {
                 const Point& point = points[i][k];

@@ -15,10 +15,17 @@ analysis::Holds holds(renderer::Outcome outcome) {
             return analysis::Holds::kYes;
         case renderer::Outcome::kByNature:
             return analysis::Holds::kByNature;
+        case renderer::Outcome::kUndecided:
+            return analysis::Holds::kUndecided;
         case renderer::Outcome::kFails:
             return analysis::Holds::kNo;
     }
     return analysis::Holds::kNo;
+}
+
+analysis::HeldAgainst against(renderer::Against against) {
+    return against == renderer::Against::kTruth ? analysis::HeldAgainst::kTruth
+                                                : analysis::HeldAgainst::kDefinition;
 }
 
 }  // namespace
@@ -32,7 +39,8 @@ std::vector<analysis::HardCaseRow> run_all_hard_cases(const MeasureRequest& requ
     std::vector<analysis::HardCaseRow> rows;
     for (const renderer::HardCaseResult& result : renderer::run_hard_cases(options)) {
         rows.push_back({result.name, result.technique, result.quantity, result.expected,
-                        result.measured, result.tolerance, holds(result.outcome), result.note});
+                        result.measured, result.tolerance, holds(result.outcome), result.note,
+                        against(result.against), result.definition});
     }
     for (const analysis::StatisticsCase& result : analysis::statistics_hard_cases()) {
         rows.push_back({"statistics: " + result.name, "", result.quantity, result.expected,

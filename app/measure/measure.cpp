@@ -5,28 +5,37 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
+#include <set>
+#include <utility>
 
 #include "app/measure/fit_settings.h"
+#include "app/measure/fitted_study.h"
 #include "app/measure/growth.h"
 #include "app/measure/hard_cases.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
-#include "stimuli/study_writer.h"
 
 namespace obscura::app {
 namespace {
 
 using renderer::TechniqueChoice;
 
+/// The study whose assumption of an order of accuracy the report looks at.
+constexpr const char* kThesis = "jakobsen2010";
+
 /// The views in an order that has those of one scene together.
 std::vector<View> by_scene(std::vector<View> views) {
-    std::stable_sort(views.begin(), views.end(), [](const View& a, const View& b) {
-        return a.scene->source < b.scene->source;
-    });
-    return views;
+    std::vector<View> ordered;
+    for (const View& view : views) {
+        const auto last_of_scene =
+            std::find_if(ordered.rbegin(), ordered.rend(),
+                         [&](const View& before) { return before.scene == view.scene; });
+        ordered.insert(last_of_scene == ordered.rend() ? ordered.end() : last_of_scene.base(),
+                       view);
+    }
+    return ordered;
 }
 
 bool can_be_fitted(const std::string& technique) {
@@ -34,53 +43,69 @@ bool can_be_fitted(const std::string& technique) {
     return descriptor.samples.high > 0 && !descriptor.parameters.empty();
 }
 
-/// Each technique on each scene, as the study shows it there.
+/// Each technique on each scene, in every way in which the study shows it there.
 std::vector<FittedChoice> fit_all(Stage& stage, const MeasureRequest& request,
                                   const stimuli::Study& study, const std::vector<View>& views) {
     const FitEffort effort = fit_effort(request);
-    std::vector<std::pair<const View*, TechniqueChoice>> wanted;
-    const stimuli::SceneSource* last = nullptr;
+    std::vector<FittedChoice> wanted;
+    std::vector<const View*> on;
     for (const View& view : views) {
-        if (view.scene.get() == last) continue;
-        last = view.scene.get();
         for (const std::string& name : measured_techniques(request)) {
             if (!can_be_fitted(name)) continue;
-            wanted.emplace_back(&view, published_choice(view, study, name));
+            for (const Valued& way : published_choices(view, study, name)) {
+                const bool there = std::any_of(
+                    wanted.begin(), wanted.end(),
+                    [&](const FittedChoice& fit) { return fit.is_for(*view.scene, way.choice); });
+                if (there) continue;
+                wanted.push_back({view.scene, way.choice, {}, {}});
+                on.push_back(&view);
+            }
         }
     }
     const auto trials = static_cast<std::size_t>(effort.search.starts * effort.search.evaluations);
     base::Progress progress("fit (at most)", wanted.size() * (trials + 1), request.quiet);
     std::vector<FittedChoice> fitted;
-    for (const auto& [view, choice] : wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         fitted.push_back(
-            fit_on_scene(stage, effort, views, *view, choice,
+            fit_on_scene(stage, effort, views, *on[i], wanted[i].published,
                          [&progress](const std::string& what) { progress.step(what); }));
     }
     return fitted;
 }
 
-/// What is measured on a view: everything as published, and with fitted values the settings with
-/// the filter of the plots and those that the study shows.
+/// Settings that differ only in what a fit finds become one.
+void add_fitted(std::vector<Setting>& settings, Setting setting) {
+    for (Setting& known : settings) {
+        if (known.values != Values::kFitted || known.choice != setting.choice) continue;
+        if (!setting.shown.empty()) {
+            known.shown += (known.shown.empty() ? "" : ", ") + setting.shown;
+        }
+        return;
+    }
+    settings.push_back(std::move(setting));
+}
+
+/// What is measured on a view: everything before any fit, and with fitted values the settings with
+/// the filter of the fit and those that the study shows.
 std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::Study& study,
                                   const View& view, const std::vector<FittedChoice>& fitted) {
     std::vector<Setting> settings;
-    for (const TechniqueChoice& choice : settings_of(request, view, study)) {
-        const double radius_m =
-            truth_radius_m(view, published_choice(view, study, choice.technique));
-        settings.push_back({choice, radius_m, false});
+    for (const Valued& valued : settings_of(request, view, study)) {
+        settings.push_back({valued.choice, truth_radius_m(view, valued.choice), valued.values,
+                            shown_where(view, valued.choice)});
     }
     const std::size_t published = settings.size();
     for (const FittedChoice& fit : fitted) {
-        if (fit.source != view.scene->source) continue;
         for (std::size_t i = 0; i < published; ++i) {
-            const TechniqueChoice& choice = settings[i].choice;
-            if (choice.technique != fit.choice.technique || choice.denoise != fit.choice.denoise ||
-                choice.depth_format != "r32f") {
-                continue;
-            }
-            Setting setting{choice, settings[i].truth_radius_m, true};
+            const Setting before = settings[i];
+            if (!fit.is_for(*view.scene, before.choice)) continue;
+            const bool as_fitted = before.choice.denoise == fit.choice.denoise &&
+                                   before.choice.depth_format == fit.choice.depth_format;
+            if (!as_fitted && before.shown.empty()) continue;
+            Setting setting = before;
+            setting.values = Values::kFitted;
             setting.choice.parameters = fit.choice.parameters;
-            settings.push_back(setting);
+            add_fitted(settings, std::move(setting));
         }
     }
     return settings;
@@ -88,16 +113,17 @@ std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::
 
 std::vector<std::string> method_of(const MeasureRequest& request, const TimerCheck& timers) {
     return {
-        fmt::format("Images of {}x{} pixels; the truth is traced with {} rays a pixel from the "
-                    "geometric normal, within the radius that the study gives the technique (for a "
-                    "technique without one, the radius that the others have on that scene).",
-                    request.width, request.height, request.rays),
+        fmt::format(
+            "Images of {}x{} pixels; the truth is traced with {} rays a pixel from the "
+            "geometric normal, within the setting's own radius before any fit (for a technique "
+            "without one, the radius that the others have on that scene).",
+            *request.width, *request.height, *request.rays),
         fmt::format(
             "The accessibility pass and the filter of each setting are run {} times, in turn "
             "with all other settings of the view; the first {} are thrown away. The other "
             "passes of a frame are timed {} times for each plan, and frame times are the "
             "sum. Times are of {}.",
-            kDiscardedRuns + request.runs, kDiscardedRuns, request.runs,
+            kDiscardedRuns + *request.runs, kDiscardedRuns, *request.runs,
             timers.use_queries ? "the driver's timestamp queries"
                                : "glFinish and a monotonic clock"),
         "Errors are of linear accessibility (1 = open) before any display curve, over the pixels "
@@ -109,27 +135,23 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
         "raymarch stops at its first occluder.",
         "Final images are compared as sRGB code values / 255 (OpenImageIO's compare); the share "
         "that differs visibly is by Yee's metric at 100 cd/m2 and a field of view of 45 degrees.",
+        "Values are published where the study gives them for that scene, standard where they are "
+        "the technique's own, and start where they come from another scene, with other sizes: a "
+        "fit would start there.",
         "Fitted values are the descriptor's continuous parameters, found by NLopt on cameras that "
         "are not reported on where the scene has such; the number of samples is never fitted."};
 }
 
-/// The study's text with the fitted values of each side's technique on its scene.
-std::string study_with(const std::string& name, const stimuli::Study& study,
-                       const std::vector<FittedChoice>& fitted) {
-    std::vector<stimuli::VariantChange> changes;
+/// What the study shows of the truth itself has no row, and that is said.
+void note_truths(const stimuli::Study& study, Measured& measured) {
     for (const stimuli::Condition& condition : study.conditions) {
-        const std::string& source = study.scene_of(condition).source;
-        for (const char side : {'a', 'b'}) {
-            const TechniqueChoice& shown = side == 'a' ? condition.a : condition.b;
-            for (const FittedChoice& fit : fitted) {
-                if (fit.source != source || fit.choice.technique != shown.technique) continue;
-                TechniqueChoice changed = shown;
-                for (const auto& [key, value] : fit.record.after) changed.parameters[key] = value;
-                changes.push_back({condition.id, side, changed});
-            }
+        for (const TechniqueChoice* side : {&condition.a, &condition.b}) {
+            if (!renderer::find_technique(side->technique)->ray_traced) continue;
+            measured.notes.push_back(
+                fmt::format("condition {}: {} is traced as the truth is, and has no row",
+                            condition.id, side->variant_name()));
         }
     }
-    return stimuli::with_variants(stimuli::study_source(name).text, name, changes);
 }
 
 /// The setting that the timers are checked with: the most expensive technique's.
@@ -150,13 +172,29 @@ TechniqueChoice heavy_choice(const MeasureRequest& request) {
     return choice;
 }
 
-/// One map for each picture: the views of several levels of light have the same accessibility.
-void add_maps(std::vector<analysis::ErrorMap>& maps, std::vector<analysis::ErrorMap> more) {
-    for (analysis::ErrorMap& map : more) {
-        const bool there = std::any_of(maps.begin(), maps.end(),
-                                       [&](const auto& held) { return held.name == map.name; });
-        if (!there) maps.push_back(std::move(map));
+/// Letters, figures and hyphens alone.
+std::string file_stem(std::string text) {
+    for (char& letter : text) {
+        const bool safe = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                          (letter >= '0' && letter <= '9') || letter == '.';
+        if (!safe) letter = '-';
     }
+    return text;
+}
+
+/// Names a map after its row, unlike any name before.
+void name_map(analysis::ErrorMap& map, const analysis::MeasurementRow& row,
+              std::set<std::string>& taken) {
+    std::string setting = row.variant;
+    if (row.blur != kPlottedFilter && row.samples > 0) setting += ' ' + row.blur;
+    if (row.depth_format != "r32f") setting += ' ' + row.depth_format;
+    const std::string name = file_stem(fmt::format("error-{}-{}-{}{}", row.scene_id, row.camera,
+                                                   setting, row.fitted ? "-fitted" : ""));
+    map.name = name;
+    for (int again = 2; !taken.insert(map.name).second; ++again) {
+        map.name = fmt::format("{}-{}", name, again);
+    }
+    map.title = fmt::format("{}: {}, {}", analysis::view_name(row), setting, row.values);
 }
 
 /// Of a view whose camera was measured in other light before, only what the study shows and, unless
@@ -164,61 +202,83 @@ void add_maps(std::vector<analysis::ErrorMap>& maps, std::vector<analysis::Error
 /// time.
 std::vector<Setting> only_shown(const View& view, const stimuli::Study& study, bool quick,
                                 const std::vector<Setting>& all) {
-    std::vector<Setting> shown;
+    std::vector<Setting> kept;
     for (const Setting& setting : all) {
-        const TechniqueChoice published = published_choice(view, study, setting.choice.technique);
-        const auto same = [&](const TechniqueChoice& choice) {
-            return choice.technique == setting.choice.technique &&
-                   choice.samples == setting.choice.samples &&
-                   choice.denoise == setting.choice.denoise;
-        };
-        bool wanted = !quick && same(published);
-        for (const ShownSetting& by_study : view.shown) wanted |= same(by_study.choice);
-        if (wanted && setting.choice.depth_format == "r32f") shown.push_back(setting);
+        bool wanted = !setting.shown.empty();
+        if (!quick) {
+            for (const Valued& way : published_choices(view, study, setting.choice.technique)) {
+                wanted |= way.choice.samples == setting.choice.samples &&
+                          way.choice.denoise == setting.choice.denoise &&
+                          way.choice.depth_format == setting.choice.depth_format;
+            }
+        }
+        if (wanted) kept.push_back(setting);
     }
-    return shown;
+    return kept;
 }
 
-void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study& study,
-               const std::vector<View>& views, Measured& measured, const TimerCheck& timers) {
-    std::vector<FittedChoice> fitted;
-    if (request.fit) fitted = fit_all(stage, request, study, views);
+/// The settings of each view.
+std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
+                                                  const stimuli::Study& study,
+                                                  const std::vector<View>& views,
+                                                  const std::vector<FittedChoice>& fitted) {
     std::vector<std::vector<Setting>> settings;
-    std::size_t count = 0;
     for (auto view = views.begin(); view != views.end(); ++view) {
         settings.push_back(all_settings(request, study, *view, fitted));
         const bool seen = std::any_of(views.begin(), view, [&](const View& before) {
             return before.scene == view->scene && before.camera == view->camera;
         });
         if (seen) settings.back() = only_shown(*view, study, request.quick, settings.back());
-        count += settings.back().size();
     }
+    return settings;
+}
+
+void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study& study,
+               const std::vector<View>& views, Measured& measured, const TimerCheck& timers) {
+    std::vector<FittedChoice> fitted;
+    const bool writes = !request.write_study.empty();
+    // Once before the work, for what would be wrong with the text however the fits turn out.
+    if (writes) (void)fitted_study(request, study, views, {});
+    if (request.fit) fitted = fit_all(stage, request, study, views);
+    if (writes) {
+        FittedStudy written = fitted_study(request, study, views, fitted);
+        measured.fitted_study = std::move(written.text);
+        for (std::string& note : written.notes) measured.notes.push_back(std::move(note));
+    }
+    const std::vector<std::vector<Setting>> settings =
+        settings_of_all(request, study, views, fitted);
+    std::size_t count = 0;
+    for (const std::vector<Setting>& of_view : settings) count += of_view.size();
     base::Progress progress(
-        "measure", count * static_cast<std::size_t>(kDiscardedRuns + request.runs), request.quiet);
+        "measure", count * static_cast<std::size_t>(kDiscardedRuns + *request.runs), request.quiet);
+    analysis::MeasurementReport& report = measured.report;
+    std::vector<std::pair<std::size_t, analysis::ErrorMap>> maps;
     for (std::size_t i = 0; i < views.size(); ++i) {
         SweptView swept = sweep(stage, request, views[i], settings[i], timers,
                                 [&progress](const std::string& what) { progress.step(what); });
-        for (auto& row : swept.rows) measured.report.rows.push_back(std::move(row));
-        add_maps(measured.report.maps, std::move(swept.maps));
+        for (auto& [row, map] : swept.maps) {
+            maps.emplace_back(report.rows.size() + row, std::move(map));
+        }
+        for (auto& row : swept.rows) report.rows.push_back(std::move(row));
     }
-    analysis::mark_front(measured.report.rows);
-    for (const FittedChoice& fit : fitted) measured.report.fitted.push_back(fit.record);
-    if (!request.write_study.empty()) {
-        measured.fitted_study = study_with(request.study, study, fitted);
+    analysis::name_variants_apart(report.rows);
+    analysis::mark_front(report.rows);
+    std::set<std::string> taken;
+    for (auto& [row, map] : maps) {
+        name_map(map, report.rows[row], taken);
+        report.maps.push_back(std::move(map));
     }
+    for (const FittedChoice& fit : fitted) report.fitted.push_back(fit.record);
 }
 
 }  // namespace
 
 MeasureRequest with_defaults(MeasureRequest request) {
-    if (!request.quick) return request;
-    const MeasureRequest usual;
-    if (request.width == usual.width && request.height == usual.height) {
-        request.width = 256;
-        request.height = 144;
-    }
-    if (request.rays == usual.rays) request.rays = 64;
-    if (request.runs == usual.runs) request.runs = 3;
+    const MeasureSize& usual = request.quick ? kQuickSize : kUsualSize;
+    request.width = request.width.value_or(usual.width);
+    request.height = request.height.value_or(usual.height);
+    request.rays = request.rays.value_or(usual.rays);
+    request.runs = request.runs.value_or(usual.runs);
     return request;
 }
 
@@ -231,13 +291,18 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     Measured measured;
     measured.report.device = renderer::gpu_description();
     measured.report.blur = kPlottedFilter;
+    measured.report.of_study = request.scenes.empty();
+    measured.report.asks_order = request.scenes.empty() && study.name == kThesis;
     measured.report.title = request.hard_cases ? "Hard cases"
                             : request.growth   ? "How cost grows"
                                                : "Speed against error";
-    if (request.hard_cases) measured.report.hard_cases = run_all_hard_cases(request);
-    if (request.hard_cases && !request.growth) return measured;
+    if (request.hard_cases) {
+        measured.report.hard_cases = run_all_hard_cases(request);
+        return measured;
+    }
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
+    if (request.scenes.empty()) note_truths(study, measured);
     Stage stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;

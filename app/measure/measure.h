@@ -14,7 +14,10 @@ namespace obscura::app {
 /// What a measurement gave: the report, and the study with fitted values where it was asked for.
 struct Measured {
     analysis::MeasurementReport report;
-    std::string fitted_study;  ///< text of a study file; empty where none was asked for
+    /// Text of a study file for the request's `write_study`, parsed and checked; empty where none
+    /// was asked for.
+    std::string fitted_study;
+    std::vector<std::string> notes;  ///< what of it is not as asked, a sentence each
 };
 
 /// Everything that the request asks for. Makes an OpenGL context of its own. Nothing is written
@@ -24,7 +27,7 @@ struct Measured {
     const MeasureRequest& request,
     const std::vector<stimuli::BuiltinScene>& catalogue = stimuli::builtin_scenes());
 
-/// A request as `quick` changes it: small images, few rays and runs, where the defaults were left.
+/// A request with every number that was left out: the usual one, or that of `quick`.
 [[nodiscard]] MeasureRequest with_defaults(MeasureRequest request);
 
 }  // namespace obscura::app

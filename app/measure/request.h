@@ -3,23 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace obscura::app {
 
-/// What a measurement is asked to do. Empty lists and zeros stand for the defaults.
+/// What a measurement is asked to do. Empty lists, and what has no value, stand for the defaults.
 struct MeasureRequest {
     std::string study;                ///< file or built-in name; empty: jakobsen2010
     std::vector<std::string> scenes;  ///< built-in scenes in place of the study's views
     std::vector<std::string> techniques;
     std::vector<int> samples;  ///< of each technique, those that it allows
     std::vector<std::string> filters;
-    int width = 640;
-    int height = 360;
-    int rays = 256;      ///< of the truth, a pixel
-    int runs = 5;        ///< timed, after kDiscardedRuns
-    bool quick = false;  ///< small images, few rays and settings
+    std::optional<int> width;
+    std::optional<int> height;
+    std::optional<int> rays;  ///< of the truth, a pixel
+    std::optional<int> runs;  ///< timed, after kDiscardedRuns
+    bool quick = false;       ///< small images, few rays and settings where none were asked for
     bool fit = false;
     bool growth = false;                ///< how cost grows, in place of the sweep
     bool hard_cases = false;            ///< the hard cases, in place of the sweep
@@ -28,6 +29,16 @@ struct MeasureRequest {
     std::filesystem::path cache;  ///< of ray-traced truths
     bool quiet = false;
 };
+
+/// What a measurement takes where nothing else is asked for; `quick` the second.
+struct MeasureSize {
+    int width = 640;
+    int height = 360;
+    int rays = 256;
+    int runs = 5;
+};
+inline constexpr MeasureSize kUsualSize{};
+inline constexpr MeasureSize kQuickSize{256, 144, 64, 3};
 
 /// Runs of each setting whose times are thrown away: the first compiles shaders.
 inline constexpr int kDiscardedRuns = 3;

@@ -41,20 +41,19 @@ const renderer::Lighting& Stage::lighting_of(const View& view) {
     return lightings_.at(view.validity);
 }
 
+renderer::View Stage::shown(const View& view) {
+    load(view);
+    return {*gpu_, lighting_of(view), camera_of(view), view.options};
+}
+
 renderer::Frame Stage::render(const View& view, const renderer::TechniqueChoice& choice, int width,
                               int height) {
-    load(view);
-    const renderer::Lighting& lighting = lighting_of(view);
-    return renderer_.render(
-        *gpu_, lighting, camera_of(view), choice,
-        renderer::plan_frame(renderer::needs_of(scene_, lighting), choice, width, height));
+    return renderer_.render(shown(view), choice, width, height);
 }
 
 std::vector<renderer::PassTime> Stage::render_again(const View& view, renderer::Frame& frame,
                                                     const renderer::TechniqueChoice& choice) {
-    load(view);
-    return renderer_.render_accessibility_again(frame, *gpu_, lighting_of(view), camera_of(view),
-                                                choice);
+    return renderer_.render_accessibility_again(frame, shown(view), choice);
 }
 
 renderer::Frame Stage::render_plainly(const View& view, const renderer::TechniqueChoice& choice,
@@ -62,9 +61,9 @@ renderer::Frame Stage::render_plainly(const View& view, const renderer::Techniqu
     load(view);
     renderer::Lighting lighting;
     lighting.normal_mapping = lighting_of(view).normal_mapping;
-    renderer::SceneNeeds needs = renderer::needs_of(scene_, lighting);
-    return renderer_.render(*gpu_, lighting, camera_of(view), choice,
-                            renderer::plan_frame(needs, choice, width, height));
+    // Accessibility is computed once a pixel, whatever the samples of the image.
+    const renderer::FrameOptions options{.occluding_opacity = view.options.occluding_opacity};
+    return renderer_.render({*gpu_, lighting, camera_of(view), options}, choice, width, height);
 }
 
 const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, int width,
@@ -93,20 +92,14 @@ const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, 
 
 std::vector<std::uint8_t> Stage::true_image(const View& view, const renderer::ReferenceImage& truth,
                                             double radius_m) {
-    load(view);
     renderer::TechniqueChoice choice;
     choice.technique = "reference";
     choice.samples = 1;
     choice.parameters["radius_m"] = radius_m;
-    const renderer::Lighting& lighting = lighting_of(view);
-    const renderer::FramePlan plan = renderer::plan_frame(renderer::needs_of(scene_, lighting),
-                                                          choice, truth.width, truth.height);
-    return renderer_
-        .render(*gpu_, lighting, camera_of(view), choice, plan,
-                [&truth](const renderer::Camera&, int, int, const renderer::TechniqueChoice&) {
-                    return truth.accessibility;
-                })
-        .read_display();
+    renderer::View with_truth = shown(view);
+    with_truth.traced = [&truth](const renderer::Camera&, int, int,
+                                 const renderer::TechniqueChoice&) { return truth.accessibility; };
+    return renderer_.render(with_truth, choice, truth.width, truth.height).read_display();
 }
 
 }  // namespace obscura::app

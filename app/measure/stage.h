@@ -20,7 +20,8 @@ class Stage {
   public:
     explicit Stage(const MeasureRequest& request) : request_(request) {}
 
-    /// Every buffer of one image. Throws bad input for a scene without triangles.
+    /// Every buffer of one image, as the study shows it. Throws bad input for a scene without
+    /// triangles.
     [[nodiscard]] renderer::Frame render(const View& view, const renderer::TechniqueChoice& choice,
                                          int width, int height);
 
@@ -44,6 +45,8 @@ class Stage {
 
   private:
     void load(const View& view);
+    /// The view as the study shows it.
+    [[nodiscard]] renderer::View shown(const View& view);
     [[nodiscard]] const renderer::Camera& camera_of(const View& view) const;
     const renderer::Lighting& lighting_of(const View& view);
 

@@ -9,7 +9,6 @@
 
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -18,25 +17,12 @@ using renderer::Frame;
 using renderer::Target;
 using renderer::TechniqueChoice;
 
-/// Conditions of the study that show just this setting.
-std::string shown_where(const View& view, const Setting& setting) {
-    std::string where;
-    for (const ShownSetting& shown : view.shown) {
-        // A fitted setting keeps the place of the one that it was made of.
-        const bool same = setting.fitted ? shown.choice.technique == setting.choice.technique &&
-                                               shown.choice.samples == setting.choice.samples &&
-                                               shown.choice.denoise == setting.choice.denoise
-                                         : stimuli::same_variant(shown.choice, setting.choice);
-        if (same && setting.choice.depth_format == "r32f") {
-            where += (where.empty() ? "" : ", ") + shown.where;
-        }
-    }
-    return where;
-}
+constexpr float kSameSurface = 0.98F;  // of the depth of what the rays see
 
 analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
     const TechniqueChoice& choice = setting.choice;
     analysis::MeasurementRow row;
+    row.scene_id = view.scene_id;
     row.scene = view.scene->id;
     row.camera = view.camera;
     row.validity = stimuli::to_string(view.validity);
@@ -49,11 +35,10 @@ analysis::MeasurementRow describe(const View& view, const Setting& setting, int 
     row.width = width;
     row.height = height;
     row.device = renderer::gpu_renderer();
-    row.fitted = setting.fitted;
-    row.published = shown_where(view, setting);
-    for (const auto& parameter : renderer::find_technique(choice.technique)->parameters) {
-        row.parameters[parameter.name] = choice.value_of(parameter);
-    }
+    row.fitted = setting.values == Values::kFitted;
+    row.values = to_string(setting.values);
+    row.published = setting.shown;
+    row.parameters = choice.all_parameters();
     row.reference_radius_m = setting.truth_radius_m;
     row.fetches_per_px = renderer::fetches_per_pixel(choice);
     return row;
@@ -80,7 +65,7 @@ double rms(const std::vector<float>& values, const std::vector<std::uint8_t>& co
 analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
                            const renderer::ReferenceImage& truth,
                            const std::vector<std::uint8_t>& true_image) {
-    const std::vector<float> measured = final_accessibility(frame);
+    const std::vector<float> measured = frame.read_accessibility();
     const std::vector<std::uint8_t> surfaces = surface_mask(frame, truth);
     row.error = analysis::accessibility_error(measured, truth.accessibility, surfaces);
     std::vector<std::uint8_t> interior =
@@ -88,17 +73,13 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
     for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
     row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
     row.nonfinite = nonfinite_of(measured);
-    if (frame.plan().has(renderer::Pass::kDenoise)) {
+    if (frame.plan().has(renderer::Phase::kDenoise)) {
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
     }
     row.truth_stderr = rms(truth.standard_error, surfaces);
     row.image =
         analysis::final_image_error(frame.read_display(), true_image, truth.width, truth.height);
     analysis::ErrorMap map;
-    map.name = fmt::format("error-{}-{}-{}{}", row.scene, row.camera, row.variant,
-                           row.fitted ? "-fitted" : "");
-    map.title = fmt::format("{}, {}: {}{}", row.scene, row.camera, row.variant,
-                            row.fitted ? ", fitted" : ", as published");
     map.width = truth.width;
     map.height = truth.height;
     for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -118,31 +99,39 @@ using PlanFrames = std::map<std::string, PlanFrame>;
 /// Equal for plans with the same passes and buffers.
 std::string key_of(const renderer::FramePlan& plan) {
     std::string key;
-    for (const renderer::PlannedPass& pass : plan.passes) key += to_string(pass.pass) + ' ';
+    for (const renderer::PlannedPass& pass : plan.passes) key += pass.name + ' ';
     for (const renderer::PlannedTarget& target : plan.targets) {
-        key += to_string(target.target) + ' ' + target.format + ' ';
+        key += fmt::format("{} {} {}x{} ", target.name, target.format, target.width, target.height);
     }
     return key;
 }
 
 }  // namespace
 
-std::vector<float> final_accessibility(const Frame& frame) {
-    if (!frame.plan().has(renderer::Pass::kAccessibility)) {
-        return std::vector<float>(static_cast<std::size_t>(frame.plan().width) *
-                                      static_cast<std::size_t>(frame.plan().height),
-                                  1.0F);
+std::string shown_where(const View& view, const TechniqueChoice& choice) {
+    std::string where;
+    for (const ShownSetting& shown : view.shown) {
+        if (shown.choice != choice) continue;
+        where += (where.empty() ? "" : ", ") + shown.where;
     }
-    return frame.read_floats(frame.plan().final_accessibility());
+    return where;
 }
 
 std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::ReferenceImage& truth) {
     std::vector<std::uint8_t> mask;
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
-    if (frame.plan().find(Target::kDepth) == nullptr) return mask;
-    const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
-    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= depth_m[i] < kBackgroundLimit_m;
+    const renderer::FramePlan& plan = frame.plan();
+    const std::string seen = plan.seen_by_technique(Target::kDepth);
+    const renderer::PlannedTarget* planned = plan.find(seen);
+    if (planned == nullptr || planned->width != plan.image_width) return mask;
+    const std::vector<float> depth_m = frame.read_floats(seen);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        mask[i] &= depth_m[i] < kBackgroundLimit_m;
+        // Rays pass through a blended surface that the technique takes for an occluder: the two
+        // values are of different surfaces.
+        if (plan.blended_occlude()) mask[i] &= depth_m[i] > kSameSurface * truth.depth_m[i];
+    }
     return mask;
 }
 
@@ -154,11 +143,11 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     for (const Setting& setting : settings) {
         const double radius_m = setting.truth_radius_m;
         const renderer::ReferenceImage& truth =
-            stage.truth(view, radius_m, request.width, request.height, request.rays);
+            stage.truth(view, radius_m, *request.width, *request.height, *request.rays);
         if (!true_images.contains(radius_m)) {
             true_images.emplace(radius_m, stage.true_image(view, truth, radius_m));
         }
-        swept.rows.push_back(describe(view, setting, request.width, request.height));
+        swept.rows.push_back(describe(view, setting, *request.width, *request.height));
         swept.rows.back().timer = timers.timer();
     }
     PlanFrames frames;
@@ -168,24 +157,24 @@ SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
     };
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const double radius_m = settings[i].truth_radius_m;
-        Frame frame = stage.render(view, settings[i].choice, request.width, request.height);
+        Frame frame = stage.render(view, settings[i].choice, *request.width, *request.height);
         analysis::ErrorMap map =
             compare(swept.rows[i], frame,
-                    stage.truth(view, radius_m, request.width, request.height, request.rays),
+                    stage.truth(view, radius_m, *request.width, *request.height, *request.rays),
                     true_images.at(radius_m));
-        if (!swept.rows[i].published.empty()) swept.maps.push_back(std::move(map));
+        if (!swept.rows[i].published.empty()) swept.maps.emplace_back(i, std::move(map));
         plans.push_back(key_of(frame.plan()));
         frames.try_emplace(plans.back(), PlanFrame{settings[i].choice, std::move(frame), {}});
         step_of(settings[i]);
     }
-    for (int run = 0; run < request.runs; ++run) {
+    for (int run = 0; run < *request.runs; ++run) {
         for (auto& [key, of_plan] : frames) {
-            of_plan.frame = stage.render(view, of_plan.choice, request.width, request.height);
+            of_plan.frame = stage.render(view, of_plan.choice, *request.width, *request.height);
             of_plan.others_ms.push_back(others_ms(of_plan.frame, timers.use_queries));
         }
     }
     std::vector<RunTimes> times(settings.size());
-    for (int run = 1; run < kDiscardedRuns + request.runs; ++run) {
+    for (int run = 1; run < kDiscardedRuns + *request.runs; ++run) {
         for (std::size_t i = 0; i < settings.size(); ++i) {
             const auto passes =
                 stage.render_again(view, frames.at(plans[i]).frame, settings[i].choice);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/measurement/report.h"
@@ -16,13 +17,18 @@ namespace obscura::app {
 struct Setting {
     renderer::TechniqueChoice choice;
     double truth_radius_m = 0.5;  ///< R of the truth it is held against
-    bool fitted = false;
+    Values values = Values::kPublished;
+    std::string shown;  ///< where the study shows it, or what it is a fit of
 };
+
+/// Conditions and sides of the study that show just this setting on the view: `III a, V b`.
+[[nodiscard]] std::string shown_where(const View& view, const renderer::TechniqueChoice& choice);
 
 /// What the sweep of a view gives.
 struct SweptView {
     std::vector<analysis::MeasurementRow> rows;  ///< one a setting
-    std::vector<analysis::ErrorMap> maps;        ///< of the settings that the study shows
+    /// Of the settings that the study shows, each with the index of its row; without names yet.
+    std::vector<std::pair<std::size_t, analysis::ErrorMap>> maps;
 };
 
 /// Renders every setting, compares its accessibility with the truth (surfaces only, because empty
@@ -37,11 +43,9 @@ struct SweptView {
 /// The share of width and height at each side that the interior error leaves out.
 inline constexpr double kInteriorMargin = 0.1;
 
-/// 1 where the truth and, if the frame has a depth buffer, the frame too show a surface.
+/// 1 where the truth and, if the frame has a depth buffer of the image's size, the frame too show a
+/// surface; where blended surfaces occlude, the same one.
 [[nodiscard]] std::vector<std::uint8_t> surface_mask(const renderer::Frame& frame,
                                                      const renderer::ReferenceImage& truth);
-
-/// What the composite uses: the technique's buffer after its filter, or 1 everywhere.
-[[nodiscard]] std::vector<float> final_accessibility(const renderer::Frame& frame);
 
 }  // namespace obscura::app

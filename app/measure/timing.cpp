@@ -45,10 +45,11 @@ TimerCheck check_timers(Stage& stage, const View& view, const renderer::Techniqu
     for (int side = 256; side <= kLargestSide_px; side *= 2) {
         for (int run = 0; run <= kDiscardedRuns; ++run) {
             const renderer::Frame frame = stage.render_plainly(view, choice, side, side);
+            clock_ms = query_ms = 0.0;
             for (const renderer::PassTime& time : frame.times) {
-                if (time.pass != renderer::Pass::kAccessibility) continue;
-                clock_ms = time.milliseconds;
-                query_ms = time.query_milliseconds;
+                if (time.phase != renderer::Phase::kTechnique) continue;
+                clock_ms += time.milliseconds;
+                query_ms += time.query_milliseconds;
             }
         }
         if (clock_ms >= kLongPass_ms) break;
@@ -61,8 +62,8 @@ void RunTimes::add(const std::vector<renderer::PassTime>& passes, bool use_queri
     double denoise = 0.0;
     for (const renderer::PassTime& time : passes) {
         const double spent_ms = use_queries ? time.query_milliseconds : time.milliseconds;
-        if (time.pass == renderer::Pass::kAccessibility) accessibility += spent_ms;
-        if (time.pass == renderer::Pass::kDenoise) denoise += spent_ms;
+        if (time.phase == renderer::Phase::kTechnique) accessibility += spent_ms;
+        if (time.phase == renderer::Phase::kDenoise) denoise += spent_ms;
     }
     accessibility_ms_.push_back(accessibility);
     denoise_ms_.push_back(denoise);
@@ -84,9 +85,7 @@ void RunTimes::put(analysis::MeasurementRow& row, const std::vector<double>& oth
 double others_ms(const renderer::Frame& frame, bool use_queries) {
     double sum_ms = 0.0;
     for (const renderer::PassTime& time : frame.times) {
-        if (time.pass == renderer::Pass::kAccessibility || time.pass == renderer::Pass::kDenoise) {
-            continue;
-        }
+        if (is_of_the_variant(time.phase)) continue;
         sum_ms += use_queries ? time.query_milliseconds : time.milliseconds;
     }
     return sum_ms;

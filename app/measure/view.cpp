@@ -13,7 +13,6 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
 #include "stimuli/scenes/open_scene.h"
-#include "stimuli/variant_reader.h"
 
 namespace obscura::app {
 namespace {
@@ -32,25 +31,27 @@ std::string names_of(const List& list) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Every setting that the study shows on scenes of that source.
-std::vector<ShownSetting> shown_on(const stimuli::Study& study, const std::string& source,
-                                   const std::string& camera, const stimuli::Validity* validity) {
+/// Every setting that the study shows on the scenes that `wanted` holds.
+template <typename Wanted>
+std::vector<ShownSetting> shown_where(const stimuli::Study& study, const Wanted& wanted) {
     std::vector<ShownSetting> shown;
     for (const stimuli::Condition& condition : study.conditions) {
-        const stimuli::StudyScene& scene = study.scene_of(condition);
-        if (scene.source != source) continue;
-        if (!camera.empty() && scene.camera != camera) continue;
-        if (validity != nullptr && scene.validity != *validity) continue;
+        if (!wanted(study.scene_of(condition))) continue;
         shown.push_back({condition.id + " a", condition.a});
         shown.push_back({condition.id + " b", condition.b});
     }
     return shown;
 }
 
+/// On scenes of that source.
+std::vector<ShownSetting> shown_on(const stimuli::Study& study, const std::string& source) {
+    return shown_where(study, [&](const auto& scene) { return scene.source == source; });
+}
+
 /// The radius that the study gives to the techniques on a scene; the first technique's standard
 /// radius where it gives none.
 double radius_on(const stimuli::Study& study, const std::string& source) {
-    for (const ShownSetting& setting : shown_on(study, source, "", nullptr)) {
+    for (const ShownSetting& setting : shown_on(study, source)) {
         const auto radius = setting.choice.parameters.find("radius_m");
         if (radius != setting.choice.parameters.end()) return radius->second;
     }
@@ -64,11 +65,28 @@ double radius_on(const stimuli::Study& study, const std::string& source) {
 
 using Source = std::shared_ptr<const stimuli::SceneSource>;
 
-View make_view(Source scene, const std::string& camera, stimuli::Validity validity,
-               const stimuli::Study& study) {
-    const double radius_m = radius_on(study, scene->source);
-    std::vector<ShownSetting> shown = shown_on(study, scene->source, camera, &validity);
-    return {std::move(scene), camera, validity, radius_m, std::move(shown)};
+/// A view of the study.
+View make_view(Source source, const stimuli::StudyScene& scene, const stimuli::Study& study) {
+    View view;
+    view.scene_id = scene.id;
+    view.camera = scene.camera;
+    view.validity = scene.validity;
+    view.radius_m = radius_on(study, source->source);
+    view.options = study.frame_options();
+    view.shown = shown_where(study, [&](const auto& other) { return other.id == scene.id; });
+    view.scene = std::move(source);
+    return view;
+}
+
+/// A view of a scene without a study; `study` lends the values to begin with.
+View make_view(Source source, const std::string& camera, const stimuli::Study& study) {
+    View view;
+    view.scene_id = source->id;
+    view.camera = camera;
+    view.validity = source->levels.front();
+    view.radius_m = radius_on(study, source->source);
+    view.scene = std::move(source);
+    return view;
 }
 
 /// A built-in scene as it is, built when it is first looked at; nothing for another source.
@@ -77,7 +95,7 @@ Source find_builtin(const std::vector<stimuli::BuiltinScene>& catalogue,
     for (const stimuli::BuiltinScene& scene : catalogue) {
         if (scene.id != source) continue;
         return std::make_shared<const stimuli::SceneSource>(stimuli::SceneSource{
-            scene.id, scene.id, scene.cameras, scene.levels, scene.build, scene.lighting});
+            scene.id, scene.id, scene.cameras, scene.levels, {}, scene.build, scene.lighting});
     }
     return nullptr;
 }
@@ -149,114 +167,162 @@ std::vector<std::string> filters_of(const MeasureRequest& request) {
     return filters;
 }
 
-bool is_among(const std::vector<TechniqueChoice>& list, const TechniqueChoice& choice) {
-    return std::any_of(list.begin(), list.end(), [&](const TechniqueChoice& held) {
-        return stimuli::same_variant(held, choice) && held.depth_format == choice.depth_format;
-    });
+bool is_among(const std::vector<Valued>& list, const TechniqueChoice& choice) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Valued& held) { return held.choice == choice; });
+}
+
+bool same_parameters(const TechniqueChoice& a, const TechniqueChoice& b) {
+    TechniqueChoice like_a = b;
+    like_a.samples = a.samples;
+    like_a.denoise = a.denoise;
+    like_a.depth_format = a.depth_format;
+    return a == like_a;
+}
+
+/// Of those that show the technique, one for each set of parameters.
+std::vector<Valued> ways_of(const std::vector<ShownSetting>& shown, const std::string& technique) {
+    std::vector<Valued> ways;
+    for (const ShownSetting& setting : shown) {
+        if (setting.choice.technique != technique) continue;
+        const bool there = std::any_of(ways.begin(), ways.end(), [&](const Valued& way) {
+            return same_parameters(way.choice, setting.choice);
+        });
+        if (!there) ways.push_back({setting.choice, Values::kPublished});
+    }
+    return ways;
+}
+
+template <typename Value>
+bool is_wanted(const std::vector<Value>& list, const Value& value) {
+    return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
+}
+
+/// The numbers of samples to measure a technique with: those asked for; else the usual ones and the
+/// papers' own, which the order of the techniques is read from.
+std::set<int> samples_of(const MeasureRequest& request, const Technique& technique) {
+    const std::vector<int>& list = !request.samples.empty() ? request.samples
+                                   : request.quick          ? kQuickSamples
+                                                            : kSamples;
+    std::set<int> wanted(list.begin(), list.end());
+    if (request.samples.empty()) wanted.insert(technique.samples.standard);
+    std::erase_if(wanted, [&](int samples) { return !allows(technique, samples); });
+    return wanted;
 }
 
 }  // namespace
+
+std::string to_string(Values values) {
+    switch (values) {
+        case Values::kPublished:
+            return "published";
+        case Values::kStandard:
+            return "standard";
+        case Values::kStart:
+            return "start";
+        case Values::kFitted:
+            return "fitted";
+    }
+    return "";
+}
 
 std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
                            const std::vector<stimuli::BuiltinScene>& catalogue) {
     std::vector<View> views;
     if (request.scenes.empty()) {
         std::map<std::string, Source> sources;
-        std::set<std::string> seen;
         for (const stimuli::StudyScene& scene : study.scenes) {
             const std::string key = scene.source + ' ' + stimuli::to_json(scene.settings);
-            if (!seen.insert(fmt::format("{} {} {}", key, scene.camera,
-                                         stimuli::to_string(scene.validity)))
-                     .second) {
-                continue;
-            }
             if (!sources.contains(key)) {
                 sources.emplace(key, scene_of_study(catalogue, study, scene));
             }
-            views.push_back(make_view(sources.at(key), scene.camera, scene.validity, study));
+            views.push_back(make_view(sources.at(key), scene, study));
         }
     }
     for (const std::string& id : request.scenes) {
         const Source scene = named_scene(catalogue, id);
         for (const std::string& camera : scene->cameras) {
-            views.push_back(make_view(scene, camera, scene->levels.front(), study));
+            views.push_back(make_view(scene, camera, study));
         }
     }
     return views;
 }
 
-TechniqueChoice published_choice(const View& view, const stimuli::Study& study,
-                                 const std::string& technique) {
+std::vector<Valued> published_choices(const View& view, const stimuli::Study& study,
+                                      const std::string& technique) {
+    std::vector<Valued> ways = ways_of(view.shown, technique);
+    if (!ways.empty()) return ways;
+    const std::vector<ShownSetting> here = shown_on(study, view.scene->source);
+    ways = ways_of(here, technique);
+    if (!ways.empty()) return {ways.front()};
     const Technique& descriptor = *renderer::find_technique(technique);
-    TechniqueChoice choice;
-    choice.technique = technique;
-    choice.samples = descriptor.samples.standard;
-    choice.denoise = descriptor.samples.high > 0 ? kPlottedFilter : "none";
-    const std::vector<ShownSetting> here = shown_on(study, view.scene->source, "", nullptr);
-    for (const auto* list : {&view.shown, &here}) {
-        for (const ShownSetting& setting : *list) {
-            if (setting.choice.technique == technique) return setting.choice;
-        }
-    }
-    for (const stimuli::Condition& condition : study.conditions) {
-        for (const TechniqueChoice* shown : {&condition.a, &condition.b}) {
-            if (shown->technique != technique) continue;
-            choice = *shown;
-            break;
-        }
-    }
+    Valued made{{}, Values::kStandard};
+    made.choice.technique = technique;
+    made.choice.samples = descriptor.samples.standard;
+    made.choice.denoise = descriptor.samples.high > 0 ? kPlottedFilter : "none";
+    const auto everywhere = [](const stimuli::StudyScene&) { return true; };
+    ways = ways_of(shown_where(study, everywhere), technique);
+    if (!ways.empty()) made = {ways.front().choice, Values::kStart};
+    // With no parameters nothing comes from that other scene.
+    if (made.choice.parameters.empty()) made.values = Values::kStandard;
     for (const ShownSetting& setting : here) {
         for (const auto& [name, value] : setting.choice.parameters) {
-            if (descriptor.find_parameter(name) != nullptr) choice.parameters[name] = value;
+            if (descriptor.find_parameter(name) == nullptr) continue;
+            made.choice.parameters[name] = value;
+            if (made.values == Values::kStandard) made.values = Values::kPublished;
         }
     }
-    return choice;
+    return {made};
 }
 
-double truth_radius_m(const View& view, const TechniqueChoice& published) {
+double truth_radius_m(const View& view, const TechniqueChoice& choice) {
     const Parameter* radius =
-        renderer::find_technique(published.technique)->find_parameter("radius_m");
-    return radius != nullptr ? published.value_of(*radius) : view.radius_m;
+        renderer::find_technique(choice.technique)->find_parameter(kTruthRadius);
+    return radius != nullptr ? choice.value_of(*radius) : view.radius_m;
 }
 
-std::vector<TechniqueChoice> settings_of(const MeasureRequest& request, const View& view,
-                                         const stimuli::Study& study) {
-    std::vector<TechniqueChoice> settings;
-    const auto add = [&settings](const TechniqueChoice& choice) {
-        if (!is_among(settings, choice)) settings.push_back(choice);
+std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
+                                const stimuli::Study& study) {
+    std::vector<Valued> settings;
+    const auto add = [&settings](const TechniqueChoice& choice, Values values) {
+        if (!is_among(settings, choice)) settings.push_back({choice, values});
     };
-    const std::vector<int> samples = !request.samples.empty() ? request.samples
-                                     : request.quick          ? kQuickSamples
-                                                              : kSamples;
+    const bool as_asked = !request.samples.empty() || !request.filters.empty();
     for (const std::string& name : measured_techniques(request)) {
         const Technique& technique = *renderer::find_technique(name);
-        TechniqueChoice choice = published_choice(view, study, name);
-        if (technique.samples.high == 0) {
-            add(choice);
-            continue;
-        }
-        for (const std::string& filter : filters_of(request)) {
-            choice.denoise = filter;
-            std::set<int> wanted(samples.begin(), samples.end());
-            // The papers' own number always: it is what the order of the techniques is read from.
-            if (request.samples.empty()) wanted.insert(technique.samples.standard);
-            for (const int count : wanted) {
-                choice.samples = count;
-                if (allows(technique, count)) add(choice);
+        const std::vector<Valued> ways = published_choices(view, study, name);
+        for (const Valued& way : ways) {
+            TechniqueChoice choice = way.choice;
+            if (technique.samples.high == 0) {
+                add(choice, way.values);
+                continue;
+            }
+            // The other ways in which a study shows a technique get the settings it shows; all of
+            // those that were asked for where some were.
+            if (&way != &ways.front() && !as_asked) continue;
+            for (const std::string& filter : filters_of(request)) {
+                choice.denoise = filter;
+                for (const int count : samples_of(request, technique)) {
+                    choice.samples = count;
+                    add(choice, way.values);
+                }
             }
         }
         // Half-float depth, on what the study shows or would show.
-        if (!request.quick && request.samples.empty() && technique.reads_depth) {
-            choice = published_choice(view, study, name);
+        if (!request.quick && request.samples.empty() &&
+            technique.standard_recipe().reads(renderer::Target::kDepth)) {
+            TechniqueChoice choice = ways.front().choice;
             choice.depth_format = "r16f";
-            add(choice);
+            add(choice, ways.front().values);
         }
     }
     const std::vector<std::string> techniques = measured_techniques(request);
     for (const ShownSetting& setting : view.shown) {
-        const bool wanted = std::find(techniques.begin(), techniques.end(),
-                                      setting.choice.technique) != techniques.end();
-        if (wanted && request.samples.empty() && request.filters.empty()) add(setting.choice);
+        const TechniqueChoice& choice = setting.choice;
+        const bool measured = is_wanted(techniques, choice.technique) &&
+                              (choice.samples == 0 || (is_wanted(request.samples, choice.samples) &&
+                                                       is_wanted(request.filters, choice.denoise)));
+        if (measured) add(choice, Values::kPublished);
     }
     return settings;
 }
@@ -289,10 +355,21 @@ void check_request(const MeasureRequest& request) {
         }
     }
     check_samples(request);
-    base::check_range("measure", "--size, width", request.width, 1, 16384);
-    base::check_range("measure", "--size, height", request.height, 1, 16384);
-    base::check_range("measure", "--rays", request.rays, 1, renderer::kMostReferenceRays);
-    base::check_range("measure", "--runs", request.runs, 1, 1000);
+    base::check_range("measure", "--size, width", *request.width, 1, 16384);
+    base::check_range("measure", "--size, height", *request.height, 1, 16384);
+    base::check_range("measure", "--rays", *request.rays, 1, renderer::kMostReferenceRays);
+    base::check_range("measure", "--runs", *request.runs, 1, 1000);
+    if (request.growth && request.hard_cases) {
+        throw base::bad_input(
+            "--growth and --hard-cases exclude each other: each stands in place of "
+            "the measurement");
+    }
+    if (request.fit && (request.growth || request.hard_cases)) {
+        throw base::bad_input(
+            "--fit: there is nothing to fit with {}, which stands in place of the "
+            "measurement",
+            request.growth ? "--growth" : "--hard-cases");
+    }
     if (!request.write_study.empty() && !request.fit) {
         throw base::bad_input("--write-study: there are fitted values only with --fit");
     }

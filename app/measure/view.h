@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/measure/request.h"
+#include "renderer/frame/plan.h"
 #include "renderer/technique/technique.h"
 #include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/scenes/scene_source.h"
@@ -22,11 +23,28 @@ struct ShownSetting {
 
 /// One view of one scene that is measured.
 struct View {
+    std::string scene_id;  ///< the study's; without a study the scene's own
     std::shared_ptr<const stimuli::SceneSource> scene;  ///< views of one scene share it
     std::string camera;
     stimuli::Validity validity = stimuli::Validity::kLow;
     double radius_m = 0.5;  ///< R of the truth for techniques that have no radius of their own
+    renderer::FrameOptions options;  ///< as the study shows it
     std::vector<ShownSetting> shown;
+};
+
+/// Where a setting's values come from.
+enum class Values {
+    kPublished,  ///< the study's, for that scene
+    kStandard,   ///< the descriptor's
+    kStart,      ///< another scene of the study: where a fit would start
+    kFitted
+};
+[[nodiscard]] std::string to_string(Values values);
+
+/// A technique with the values that it is measured with.
+struct Valued {
+    renderer::TechniqueChoice choice;
+    Values values = Values::kPublished;
 };
 
 /// The views that the request asks for: those of the study, or every camera of its scenes. Throws
@@ -34,27 +52,30 @@ struct View {
 [[nodiscard]] std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
                                          const std::vector<stimuli::BuiltinScene>& catalogue);
 
-/// A technique as published for this view: as the study shows it here; else with the values that
-/// the study gives to parameters of the same name on this scene; else as it shows the technique
-/// elsewhere; else as the descriptor says. Samples are the shown ones, or the descriptor's.
-[[nodiscard]] renderer::TechniqueChoice published_choice(const View& view,
-                                                         const stimuli::Study& study,
-                                                         const std::string& technique);
+/// A technique in every way in which the study shows it on this view, one for each set of
+/// parameters; else in the first way on this scene; else one with the values that the study gives
+/// to parameters of the same name on this scene, or as it shows the technique elsewhere, or as the
+/// descriptor says. Samples are the shown ones, or the descriptor's. Never empty.
+[[nodiscard]] std::vector<Valued> published_choices(const View& view, const stimuli::Study& study,
+                                                    const std::string& technique);
 
-/// R of the truth that a choice is held against: its own radius, or the view's.
-[[nodiscard]] double truth_radius_m(const View& view, const renderer::TechniqueChoice& published);
+/// The parameter that is R of the truth where a technique has it.
+inline constexpr const char* kTruthRadius = "radius_m";
 
-/// Every setting to measure on a view, as published: each technique with each number of samples
+/// R of the truth that a choice is held against before any fit: its own radius, or the view's.
+[[nodiscard]] double truth_radius_m(const View& view, const renderer::TechniqueChoice& choice);
+
+/// Every setting to measure on a view, before any fit: each technique with each number of samples
 /// and filter, and what the study shows; each once. `none` has one setting.
-[[nodiscard]] std::vector<renderer::TechniqueChoice> settings_of(const MeasureRequest& request,
-                                                                 const View& view,
-                                                                 const stimuli::Study& study);
+[[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
+                                              const stimuli::Study& study);
 
 /// The techniques that are measured: the request's, or all that are not the truth themselves.
 [[nodiscard]] std::vector<std::string> measured_techniques(const MeasureRequest& request);
 
 /// Throws bad input naming the option, the value and what is allowed for anything that is wrong
-/// with techniques, samples, filters, sizes, rays or runs.
+/// with techniques, samples, filters, sizes, rays, runs or what excludes each other. The request
+/// has its defaults.
 void check_request(const MeasureRequest& request);
 
 }  // namespace obscura::app

@@ -4,19 +4,6 @@
 
 namespace obscura::renderer {
 
-const std::vector<Denoise>& denoise_filters() {
-    static const std::vector<Denoise> list = {
-        {"none", "no filter", "", 0, false, 0},
-        {"box4", "Whinham 2017: mean over the 4x4 tile of rotations", "denoise/box4.glsl", 1, false,
-         16},
-        {"separable",
-         "bilateral in two passes, as Jakobsen 2010 took from Bavoil and Sainz 2009; weights "
-         "follow the slope of the depth",
-         "denoise/separable.glsl", 2, true, 2 * (3 + 6 + 7)},
-    };
-    return list;
-}
-
 const Denoise* find_denoise(std::string_view name) {
     for (const Denoise& denoise : denoise_filters()) {
         if (denoise.name == name) return &denoise;

@@ -6,17 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/recipe/recipe.h"
+#include "renderer/technique/model.h"
+
 namespace obscura::renderer {
 
-/// One way to smooth the accessibility buffer.
+/// One way to smooth the accessibility buffer. Its recipe reads `accessibility` and writes
+/// `denoised`; without steps nothing is smoothed.
 struct Denoise {
     std::string name;  ///< in files and on the command line
     std::string citation;
-    std::string shader;  ///< file in renderer/denoise/; empty: no pass
-    int passes = 0;
-    bool reads_depth = false;
-    int fetches = 0;  ///< texture reads of one pixel, over all passes, at most
+    Recipe recipe;
+    DenoiseModel model = {};          ///< in double precision
+    std::string edge_by_nature = "";  ///< why it leaks over depth edges; empty: it does not
 };
+
+// Each in a file of its own.
+[[nodiscard]] std::vector<Admitted> box4_model(const SeenBuffers& buffers,
+                                               std::span<const float> accessibility);
+[[nodiscard]] std::vector<Admitted> separable_model(const SeenBuffers& buffers,
+                                                    std::span<const float> accessibility);
 
 /// All denoise filters.
 [[nodiscard]] const std::vector<Denoise>& denoise_filters();

@@ -6,10 +6,12 @@
 // of depth is linear in the image on any plane, so a tilted one is smoothed like one that faces the
 // camera. The tolerance is a fraction of the depth, so it scales with the units.
 #include "passes/shared_constants.h"
+#ifndef DIRECTION
+#error the direction must be defined: ivec2(1, 0) or ivec2(0, 1)
+#endif
 
 uniform sampler2D t_accessibility;
 uniform sampler2D t_depth;
-uniform vec2 u_direction;  // (1, 0) or (0, 1)
 layout(location = 0) out float o_accessibility;
 
 const float kTolerance = 0.004;  // of the depth, for each pixel of distance
@@ -30,7 +32,7 @@ float slope_at(ivec2 here, ivec2 direction, float w) {
 
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
-    ivec2 direction = ivec2(u_direction);
+    ivec2 direction = DIRECTION;
     g_last = textureSize(t_depth, 0) - 1;
     float w = reciprocal_depth(here);
     float slope = slope_at(here, direction, w);

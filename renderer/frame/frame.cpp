@@ -7,104 +7,85 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/format.h"
 
 namespace obscura::renderer {
 namespace {
 
-struct GlFormat {
-    GLenum internal;
-    GLenum format;
-    GLenum type;
-};
-
-GlFormat gl_format(const PlannedTarget& planned) {
-    switch (planned.target) {
-        case Target::kAlbedo:
-            return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
-        case Target::kNormal:
-        case Target::kOccluderNormal:
-        case Target::kDisplay:
-        case Target::kResolved:
-            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-        case Target::kDepth:
-        case Target::kOccluderDepth:
-            if (planned.format == "r16f") return {GL_R16F, GL_RED, GL_HALF_FLOAT};
-            return {GL_R32F, GL_RED, GL_FLOAT};
-        case Target::kAccessibility:
-        case Target::kDenoiseStep:
-        case Target::kDenoised:
-            return {GL_R32F, GL_RED, GL_FLOAT};
-        case Target::kVisibility:
-        case Target::kOccluderVisibility:
-            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
-        case Target::kShadow:
-        case Target::kPointShadow:
-            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
-        case Target::kEmission:
-        case Target::kAmbient:
-        case Target::kDirect:
-        case Target::kHdr:
-            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
-    }
-    return {};
-}
-
 gl::Texture make_texture(const PlannedTarget& planned) {
-    const GLenum internal = gl_format(planned).internal;
-    const bool layered =
-        planned.target == Target::kShadow || planned.target == Target::kPointShadow;
+    const GLenum internal = format_of(planned.format).internal;
+    const bool shadow = planned.extent == Extent::kShadow;
+    const bool layered = shadow || planned.layers > 1;
     gl::Texture texture =
         gl::Texture::make(static_cast<GLenum>(layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
+    const GLuint name = texture.name();
     if (layered) {
-        glTextureStorage3D(texture.name(), 1, internal, planned.width, planned.height,
+        glTextureStorage3D(name, planned.levels, internal, planned.width, planned.height,
                            planned.layers);
-        glTextureParameteri(texture.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        glTextureParameteri(texture.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     } else {
-        glTextureStorage2D(texture.name(), 1, internal, planned.width, planned.height);
+        glTextureStorage2D(name, planned.levels, internal, planned.width, planned.height);
     }
-    const GLint filter = layered ? GL_LINEAR : GL_NEAREST;
-    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, filter);
-    glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, filter);
-    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    if (shadow) {
+        glTextureParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTextureParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    }
+    const GLint filter = shadow ? GL_LINEAR : GL_NEAREST;
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
+                        planned.levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : filter);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
-bool depends_on_the_view_only(Pass pass) {
-    return pass == Pass::kGeometry || pass == Pass::kShadow || pass == Pass::kOccluders ||
-           pass == Pass::kLight;
+bool depends_on_the_view_only(Phase phase) {
+    return phase == Phase::kGeometry || phase == Phase::kShadow || phase == Phase::kOccluders ||
+           phase == Phase::kLight;
 }
 
 /// Whether a pass of one plan gives what the same pass of another one gave.
 bool gives_the_same(const PlannedPass& pass, const FramePlan& plan, const FramePlan& known) {
-    if (!depends_on_the_view_only(pass.pass) || !known.has(pass.pass)) return false;
+    if (!depends_on_the_view_only(pass.phase) || !known.has(pass.phase)) return false;
     if (!(plan.needs == known.needs) || !(plan.options == known.options)) return false;
-    if (pass.pass == Pass::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
+    if (pass.phase == Phase::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
         return false;
     }
-    const auto same = [&](Target target) {
-        const PlannedTarget* other = known.find(target);
-        return other != nullptr && *other == *plan.find(target);
+    const auto same = [&](const std::string& buffer) {
+        const PlannedTarget* other = known.find(buffer);
+        return other != nullptr && *other == *plan.find(buffer);
     };
-    return std::all_of(pass.reads.begin(), pass.reads.end(), same) &&
+    return std::all_of(pass.reads.begin(), pass.reads.end(),
+                       [&](const Read& read) { return same(read.name); }) &&
            std::all_of(pass.writes.begin(), pass.writes.end(), same);
 }
 
 }  // namespace
 
+std::vector<PassTime> by_name(const std::vector<PassTime>& times) {
+    std::vector<PassTime> sums;
+    for (const PassTime& time : times) {
+        if (sums.empty() || sums.back().name != time.name) {
+            sums.push_back(time);
+        } else {
+            sums.back().milliseconds += time.milliseconds;
+            sums.back().query_milliseconds += time.query_milliseconds;
+        }
+    }
+    return sums;
+}
+
 Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) {
     for (const PlannedPass& pass : plan_.passes) {
         if (!gives_the_same(pass, plan_, known.plan)) continue;
-        for (const Target target : pass.writes) {
-            textures_.emplace(target, known.textures.at(target));
+        for (const std::string& buffer : pass.writes) {
+            textures_.emplace(buffer, known.textures.at(buffer));
         }
         for (const PassTime& time : known.times) {
-            if (time.pass == pass.pass) taken_over_.push_back(time);
+            if (time.phase == pass.phase) taken_over_.push_back(time);
         }
     }
     for (const PlannedTarget& planned : plan_.targets) {
-        std::shared_ptr<gl::Texture>& texture = textures_[planned.target];
+        std::shared_ptr<gl::Texture>& texture = textures_[planned.name];
         if (!texture) texture = std::make_shared<gl::Texture>(make_texture(planned));
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
@@ -115,50 +96,76 @@ Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) 
     }
 }
 
+double Frame::milliseconds() const {
+    double sum_ms = 0.0;
+    for (const PassTime& time : times) sum_ms += time.milliseconds;
+    return sum_ms;
+}
+
 ViewBuffers Frame::view_buffers() const {
     ViewBuffers buffers;
     buffers.plan = plan_;
     for (const PlannedPass& pass : plan_.passes) {
-        if (!depends_on_the_view_only(pass.pass)) continue;
-        for (const Target target : pass.writes) {
-            buffers.textures.emplace(target, textures_.at(target));
+        if (!depends_on_the_view_only(pass.phase)) continue;
+        for (const std::string& buffer : pass.writes) {
+            buffers.textures.emplace(buffer, textures_.at(buffer));
         }
     }
     std::copy_if(times.begin(), times.end(), std::back_inserter(buffers.times),
-                 [](const PassTime& time) { return depends_on_the_view_only(time.pass); });
+                 [](const PassTime& time) { return depends_on_the_view_only(time.phase); });
     return buffers;
 }
 
-std::vector<std::uint8_t> Frame::read_bytes(Target target) const {
-    const PlannedTarget* planned = plan_.find(target);
-    if (planned == nullptr) {
-        throw base::failure("this frame has no {} target", to_string(target));
-    }
-    const GlFormat format = gl_format(*planned);
-    std::vector<std::uint8_t> bytes(planned->bytes);
+const PlannedTarget& Frame::planned(std::string_view buffer) const {
+    const PlannedTarget* found = plan_.find(buffer);
+    if (found == nullptr) throw base::failure("this frame has no buffer \"{}\"", buffer);
+    return *found;
+}
+
+GLuint Frame::texture(std::string_view buffer) const {
+    return textures_.find(planned(buffer).name)->second->name();
+}
+
+std::vector<std::uint8_t> Frame::read_bytes(std::string_view buffer) const {
+    const PlannedTarget& target = planned(buffer);
+    const Format& format = format_of(target.format);
+    std::vector<std::uint8_t> bytes(
+        format.bytes_per_texel * static_cast<std::size_t>(target.width) *
+        static_cast<std::size_t>(target.height) * static_cast<std::size_t>(target.layers));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture(target), 0, format.format, format.type,
+    glGetTextureImage(texture(buffer), 0, format.format, format.type,
                       static_cast<GLsizei>(bytes.size()), bytes.data());
     return bytes;
 }
 
-std::vector<float> Frame::read_floats(Target target) const { return read_components(target, 1); }
+std::vector<float> Frame::read_floats(std::string_view buffer) const {
+    return read_components(buffer, 1);
+}
 
-std::vector<float> Frame::read_components(Target target, int channels) const {
-    const PlannedTarget* planned = plan_.find(target);
-    if (planned == nullptr) {
-        throw base::failure("this frame has no {} target", to_string(target));
-    }
+std::vector<float> Frame::read_accessibility() const {
+    if (plan_.makes_accessibility()) return read_floats(plan_.final_accessibility());
+    return std::vector<float>(
+        static_cast<std::size_t>(plan_.image_width) * static_cast<std::size_t>(plan_.image_height),
+        1.0F);
+}
+
+std::vector<float> Frame::read_components(std::string_view buffer, int channels, int level) const {
+    const PlannedTarget& target = planned(buffer);
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-    const std::size_t row = static_cast<std::size_t>(planned->width) * channels;
-    const auto height = static_cast<std::size_t>(planned->height);
-    std::vector<float> stored(row * height);
+    const auto row = static_cast<std::size_t>(std::max(1, target.width >> level)) *
+                     static_cast<std::size_t>(channels);
+    const auto height = static_cast<std::size_t>(std::max(1, target.height >> level));
+    const auto layers = static_cast<std::size_t>(target.layers);
+    std::vector<float> stored(row * height * layers);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture(target), 0, kFormats[channels - 1], GL_FLOAT,
+    glGetTextureImage(texture(buffer), level, kFormats[channels - 1], GL_FLOAT,
                       static_cast<GLsizei>(stored.size() * sizeof(float)), stored.data());
     std::vector<float> values(stored.size());
-    for (std::size_t y = 0; y < height; ++y) {
-        std::copy_n(&stored[y * row], row, &values[(height - 1 - y) * row]);
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        for (std::size_t y = 0; y < height; ++y) {
+            std::copy_n(&stored[(layer * height + y) * row], row,
+                        &values[(layer * height + height - 1 - y) * row]);
+        }
     }
     return values;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/frame/plan.h"
@@ -13,18 +14,22 @@
 
 namespace obscura::renderer {
 
-/// How long one pass took.
+/// How long one pass or step took.
 struct PassTime {
-    Pass pass = Pass::kGeometry;
+    Phase phase = Phase::kGeometry;
+    std::string name;
     double milliseconds = 0.0;        ///< by glFinish and a monotonic clock: right on every driver
     double query_milliseconds = 0.0;  ///< by GL timestamps: wrong on a software renderer
 };
+
+/// The same with neighbours of one name added up: the passes as people are told of them.
+[[nodiscard]] std::vector<PassTime> by_name(const std::vector<PassTime>& times);
 
 /// Buffers of a rendered image that do not depend on what its technique found: surfaces, shadow
 /// maps and light. Another image of the same scene, light and camera may take them over.
 struct ViewBuffers {
     FramePlan plan;
-    std::map<Target, std::shared_ptr<gl::Texture>> textures;
+    std::map<std::string, std::shared_ptr<gl::Texture>, std::less<>> textures;
     std::vector<PassTime> times;  ///< of the passes that made them
 };
 
@@ -36,27 +41,37 @@ class Frame {
     explicit Frame(FramePlan plan, const ViewBuffers& known = {});
 
     [[nodiscard]] const FramePlan& plan() const { return plan_; }
-    [[nodiscard]] GLuint texture(Target target) const { return textures_.at(target)->name(); }
+    /// Throws failure for a buffer that the plan has not.
+    [[nodiscard]] GLuint texture(std::string_view buffer) const;
     /// The passes whose results were taken over, with the time that they took then.
     [[nodiscard]] const std::vector<PassTime>& taken_over() const { return taken_over_; }
+    /// Of all passes.
+    [[nodiscard]] double milliseconds() const;
     /// What another image of the view may take over.
     [[nodiscard]] ViewBuffers view_buffers() const;
 
     /// The image: width * height * 3 sRGB code values, upper row first.
     [[nodiscard]] std::vector<std::uint8_t> read_display() const;
-    /// A one-channel float target (depth, accessibility, denoised), upper row first.
-    [[nodiscard]] std::vector<float> read_floats(Target target) const;
-    /// The first `channels` (1 to 4) components of any colour target as the shaders stored them,
-    /// pixel by pixel, upper row first: code values in [0, 1] for an 8-bit target.
-    [[nodiscard]] std::vector<float> read_components(Target target, int channels) const;
-    /// The stored bytes of any target of the image's size, as OpenGL holds them.
-    [[nodiscard]] std::vector<std::uint8_t> read_bytes(Target target) const;
+    /// A one-channel float buffer (depth, accessibility, denoised), upper row first.
+    [[nodiscard]] std::vector<float> read_floats(std::string_view buffer) const;
+    /// What the composite uses: the accessibility after its filter, 1 everywhere where there is
+    /// none; one value a pixel, upper row first.
+    [[nodiscard]] std::vector<float> read_accessibility() const;
+    /// The first `channels` (1 to 4) components of a mip level of any colour buffer as the shaders
+    /// stored them, pixel by pixel, upper row first, layer after layer: code values in [0, 1] for
+    /// an 8-bit buffer.
+    [[nodiscard]] std::vector<float> read_components(std::string_view buffer, int channels,
+                                                     int level = 0) const;
+    /// The stored bytes of the first level of any buffer, as OpenGL holds them.
+    [[nodiscard]] std::vector<std::uint8_t> read_bytes(std::string_view buffer) const;
 
     std::vector<PassTime> times;  ///< of all passes, in their order
 
   private:
+    [[nodiscard]] const PlannedTarget& planned(std::string_view buffer) const;
+
     FramePlan plan_;
-    std::map<Target, std::shared_ptr<gl::Texture>> textures_;
+    std::map<std::string, std::shared_ptr<gl::Texture>, std::less<>> textures_;
     std::vector<PassTime> taken_over_;
 };
 

@@ -10,7 +10,6 @@ namespace obscura::renderer {
 struct Renderer::Job {
     const GpuScene& scene;
     const Lighting& lighting;
-    const TechniqueChoice& choice;
     const FramePlan& plan;
     CameraMatrices camera;
     Frame& frame;
@@ -18,11 +17,7 @@ struct Renderer::Job {
     const TracedAccessibility& traced;
     glm::ivec2 size{0};  ///< of the buffers that are attached
 
-    [[nodiscard]] bool has(Target target) const { return plan.find(target) != nullptr; }
-    /// The buffer that stands in for kDepth, kNormal or kVisibility before the technique.
-    [[nodiscard]] GLuint seen(Target target) const {
-        return frame.texture(plan.seen_by_technique(target));
-    }
+    [[nodiscard]] bool has(std::string_view buffer) const { return plan.find(buffer) != nullptr; }
     /// From view space to the world, directions only.
     [[nodiscard]] glm::mat3 world_from_view() const {
         return glm::transpose(glm::mat3(camera.view_from_world));

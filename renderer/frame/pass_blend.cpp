@@ -64,7 +64,7 @@ void Renderer::run_occluders(Job& job) {
         if (normal) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing[1]);
         draw_opaque(job, "passes/occluders.frag.glsl", defines);
     } else {
-        const auto copy = [&job](Target from, Target to) {
+        const auto copy = [&job](const Buffer& from, const Buffer& to) {
             glCopyImageSubData(job.frame.texture(from), GL_TEXTURE_2D, 0, 0, 0, 0,
                                job.frame.texture(to), GL_TEXTURE_2D, 0, 0, 0, 0, job.size.x,
                                job.size.y, 1);
@@ -96,7 +96,8 @@ void Renderer::run_blend(Job& job) {
         defines.push_back(job.samples_define());
     }
     gl::Program& shader = program("passes/geometry.vert.glsl", "passes/blend.frag.glsl", defines);
-    attach(job, {Target::kHdr});
+    const std::string image = job.plan.linear_image();
+    attach(job, {image});
     job.set_vertices(shader);
     set_lighting(job, shader);
     if (!needs.environment) shader.set("u_ambient", job.lighting.ambient);

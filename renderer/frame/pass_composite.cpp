@@ -33,9 +33,15 @@ const char* define_of(ToneCurve curve) {
 
 }  // namespace
 
+void Renderer::bind_accessibility(Job& job, gl::Program& program) {
+    bind(program, "t_accessibility", job.frame.texture(job.plan.final_accessibility()), 4);
+    if (job.plan.options.supersampling == 1) return;
+    bind(program, "t_pixel_depth", job.frame.texture(Target::kOccluderDepth), 5);
+}
+
 void Renderer::run_composite(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
-    const bool occluded = job.plan.has(Pass::kAccessibility);
+    const bool occluded = job.plan.makes_accessibility();
     Defines defines;
     if (occluded) {
         defines.emplace_back("ACCESSIBILITY");
@@ -45,12 +51,12 @@ void Renderer::run_composite(Job& job) {
     if (needs.direct_light()) defines.emplace_back("DIRECT");
     if (needs.specular) defines.emplace_back("SPECULAR");
     if (needs.emission) defines.emplace_back("EMISSION");
-    if (needs.hdr()) defines.emplace_back("HDR");
+    if (job.plan.hdr()) defines.emplace_back("HDR");
     gl::Program& shader =
         program("passes/full_screen.vert.glsl", "passes/composite.frag.glsl", defines);
-    attach(job, {needs.hdr() ? Target::kHdr : Target::kDisplay});
+    attach(job, {job.plan.hdr() ? Target::kHdr : Target::kDisplay});
     const glm::vec3 background =
-        needs.hdr() ? job.lighting.background : encode_srgb(job.lighting.background);
+        job.plan.hdr() ? job.lighting.background : encode_srgb(job.lighting.background);
     const glm::vec4 empty(background, 1.0F);
     glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, &empty.x);
     bind(shader, "t_albedo", job.frame.texture(Target::kAlbedo), 0);
@@ -71,11 +77,10 @@ void Renderer::run_composite(Job& job) {
 }
 
 void Renderer::run_sky(Job& job) {
-    const SceneNeeds& needs = job.plan.needs;
     Defines defines;
-    if (needs.hdr()) defines.emplace_back("HDR");
+    if (job.plan.hdr()) defines.emplace_back("HDR");
     gl::Program& shader = program("passes/full_screen.vert.glsl", "passes/sky.frag.glsl", defines);
-    attach(job, {needs.hdr() ? Target::kHdr : Target::kDisplay});
+    attach(job, {job.plan.hdr() ? Target::kHdr : Target::kDisplay});
     job.set_view(shader);
     shader.set("u_world_from_view", job.world_from_view());
     bind(shader, "t_environment", environment(job.lighting.environment).texture.name(), 0);
@@ -89,7 +94,7 @@ void Renderer::run_tone_map(Job& job) {
     gl::Program& shader = program("passes/full_screen.vert.glsl", "passes/tone_map.frag.glsl",
                                   {define_of(tone.curve)});
     attach(job, {Target::kDisplay});
-    bind(shader, "t_hdr", job.frame.texture(Target::kHdr), 0);
+    bind(shader, "t_hdr", job.frame.texture(job.plan.linear_image()), 0);
     shader.set("u_exposure", tone.exposure);
     shader.set("u_white", tone.white);
     full_screen(shader, GL_ALWAYS);

@@ -4,7 +4,7 @@
 
 namespace obscura::renderer {
 
-void Renderer::draw_shadows(Job& job, Target map, const std::vector<ShadowView>& views) {
+void Renderer::draw_shadows(Job& job, const Buffer& map, const std::vector<ShadowView>& views) {
     const PlannedTarget& planned = *job.plan.find(map);
     const gl::Framebuffer layer = gl::Framebuffer::make();
     glNamedFramebufferDrawBuffer(layer.name(), GL_NONE);

@@ -3,32 +3,40 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "renderer/frame/target.h"
+#include "renderer/frame/phase.h"
 #include "renderer/light/lighting.h"
+#include "renderer/light/shadow.h"
+#include "renderer/recipe/recipe.h"
 #include "renderer/scene/scene.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
-struct PlannedTarget {
-    Target target = Target::kDisplay;
-    std::string format;
+/// A buffer with the size that an image gives it.
+struct PlannedTarget : Buffer {
     int width = 0;
     int height = 0;
-    int layers = 1;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;  ///< of all levels and layers
 
     bool operator==(const PlannedTarget&) const = default;
 };
 
+/// One of the house's passes, or a step of a recipe.
 struct PlannedPass {
-    Pass pass = Pass::kGeometry;
-    std::vector<Target> reads;
-    std::vector<Target> writes;
+    Phase phase = Phase::kGeometry;
+    std::string name;
+    std::vector<Read> reads;          ///< of buffers, by the names they have in this plan
+    std::vector<std::string> writes;  ///< the same
+    /// Nothing: a pass of the house. Its reads and writes are the recipe's words.
+    std::optional<Step> step = {};
+    std::vector<Table> tables = {};  ///< that the step reads
+    int frame = 0;                   ///< of the recipe's
 };
 
 /// Something a frame could have had and why this one has not.
@@ -54,11 +62,12 @@ struct SceneNeeds {
     int point_shadow_size = 0;    ///< the same of each side of a point light's cube
 
     [[nodiscard]] bool direct_light() const { return lights > 0 || point_lights > 0; }
-    /// Whether the image is kept in linear light before it becomes sRGB code values.
     [[nodiscard]] bool hdr() const { return tone_mapping || blended; }
     bool operator==(const SceneNeeds&) const = default;
 };
 [[nodiscard]] SceneNeeds needs_of(const Scene& scene, const Lighting& lighting);
+[[nodiscard]] SceneNeeds needs_of(const std::vector<Material>& materials, const Bounds& bounds,
+                                  const Lighting& lighting);
 
 /// What is asked of an image beside its technique.
 struct FrameOptions {
@@ -86,27 +95,44 @@ struct FramePlan {
     int image_height = 0;
     FrameOptions options;
     SceneNeeds needs;
+    Variant variant;
+    std::map<std::string, double> parameters;  ///< the technique's: `p_<name>` in its steps
     bool technique_reads_depth = false;
+    bool makes_colour = false;  ///< the technique does, in place of accessibility
     std::vector<PlannedTarget> targets;
     std::vector<PlannedPass> passes;
     std::vector<LeftOut> left_out;
 
-    [[nodiscard]] const PlannedTarget* find(Target target) const;
-    [[nodiscard]] bool has(Pass pass) const;
+    [[nodiscard]] const PlannedTarget* find(std::string_view buffer) const;
+    [[nodiscard]] bool has(Phase phase) const;
     [[nodiscard]] std::size_t bytes() const;
-    /// The buffer that holds the accessibility the composite uses: kAccessibility or kDenoised.
-    [[nodiscard]] Target final_accessibility() const;
+    /// Whether there is an accessibility that the composite uses.
+    [[nodiscard]] bool makes_accessibility() const;
+    /// The buffer that holds it: `accessibility` or `denoised`.
+    [[nodiscard]] std::string final_accessibility() const;
     /// Whether the technique sees nearly opaque blended surfaces.
     [[nodiscard]] bool blended_occlude() const;
-    /// The buffer that the technique reads for kDepth, kNormal or kVisibility.
-    [[nodiscard]] Target seen_by_technique(Target target) const;
-    /// The buffer that holds the image: kDisplay or kResolved.
-    [[nodiscard]] Target image() const;
+    /// The buffer that the technique reads for depth, normal or visibility.
+    [[nodiscard]] std::string seen_by_technique(std::string_view buffer) const;
+    /// Whether the image is kept in linear light before it becomes sRGB code values.
+    [[nodiscard]] bool hdr() const { return needs.hdr() || makes_colour; }
+    /// The buffer that holds the image in linear light once the technique is done: `hdr` or
+    /// `colour`.
+    [[nodiscard]] std::string linear_image() const;
+    /// The buffer that holds the image: `display` or `resolved`.
+    [[nodiscard]] std::string image() const;
 };
 
-/// The plan of an image of width x height pixels. Throws bad input when the choice has problems, an
-/// option is out of its range or the passes' size is outside 1 .. 16384.
-[[nodiscard]] FramePlan plan_frame(const SceneNeeds& needs, const TechniqueChoice& choice,
-                                   int width, int height, const FrameOptions& options = {});
+/// The plan of an image of width x height pixels: the house's passes and the steps of the
+/// technique's and the filter's recipes in one list. Throws bad input when the variant has
+/// problems, an option is out of its range or the passes' size is outside 1 .. 16384; failure for a
+/// recipe that reads or writes what there is not.
+[[nodiscard]] FramePlan plan_frame(const SceneNeeds& needs, const Variant& variant, int width,
+                                   int height, const FrameOptions& options = {});
+
+/// The same for a technique that need not be in the list; nothing of it is checked but its recipe.
+[[nodiscard]] FramePlan plan_frame(const SceneNeeds& needs, const Technique& technique,
+                                   const Variant& variant, int width, int height,
+                                   const FrameOptions& options = {});
 
 }  // namespace obscura::renderer

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/frame/renderer.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "renderer/base/error.h"
 #include "renderer/frame/job.h"
 #include "renderer/gl/timestamps.h"
-#include "renderer/passes/shared_constants.h"
-#include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
 namespace {
@@ -38,12 +37,15 @@ void set_known_state() {
 
 }  // namespace
 
-Renderer::Renderer()
-    : framebuffer_(gl::Framebuffer::make()),
-      empty_(gl::VertexArray::make()),
-      rotations_(vector_texture(rotation_tile(), kTileSize, kTileSize)) {}
+Renderer::Renderer() : framebuffer_(gl::Framebuffer::make()), empty_(gl::VertexArray::make()) {}
 
 Renderer::~Renderer() = default;
+
+Renderer::Job Renderer::job_of(const View& view, const FramePlan& plan, Frame& frame) {
+    return {
+        view.scene, view.lighting, plan,       matrices_of(view.camera, plan.width, plan.height),
+        frame,      view.camera,   view.traced};
+}
 
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
                                const Defines& defines) {
@@ -54,9 +56,12 @@ gl::Program& Renderer::program(const std::string& vertex, const std::string& fra
     return *entry;
 }
 
-const gl::Texture& Renderer::kernel(int samples) {
-    gl::Texture& texture = kernels_[samples];
-    if (!texture) texture = vector_texture(ball_kernel(samples), samples, 1);
+const gl::Texture& Renderer::texture_of(const Table& table) {
+    std::string key(reinterpret_cast<const char*>(table.texels.data()),
+                    table.texels.size() * sizeof(glm::vec3));
+    key += std::to_string(table.width);
+    gl::Texture& texture = tables_[key];
+    if (!texture) texture = vector_texture(table.texels, table.width, table.height);
     return texture;
 }
 
@@ -87,8 +92,8 @@ void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, i
     program.set(sampler, unit);
 }
 
-void Renderer::attach(Job& job, const std::vector<Target>& targets,
-                      std::optional<Target> visibility) {
+void Renderer::attach(Job& job, const std::vector<std::string_view>& targets,
+                      std::optional<std::string_view> visibility) {
     constexpr int kSlots = 4;
     const GLuint name = framebuffer_.name();
     std::vector<GLenum> buffers;
@@ -120,40 +125,45 @@ void Renderer::full_screen(gl::Program& program, GLenum test) {
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(test);
+    for (const std::string& uniform : program.newly_unset()) {
+        mismatches_.insert(program.name() + " reads " + uniform + ", which nobody sets");
+    }
     program.use();
     glBindVertexArray(empty_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Pass)>& wanted) {
+void Renderer::run_pass(Job& job, const PlannedPass& pass) {
     using Run = void (Renderer::*)(Job&);
-    static const std::map<Pass, Run> kRuns = {
-        {Pass::kGeometry, &Renderer::run_geometry},
-        {Pass::kShadow, &Renderer::run_shadow},
-        {Pass::kOccluders, &Renderer::run_occluders},
-        {Pass::kAccessibility, &Renderer::run_accessibility},
-        {Pass::kDenoise, &Renderer::run_denoise},
-        {Pass::kLight, &Renderer::run_light},
-        {Pass::kSky, &Renderer::run_sky},
-        {Pass::kComposite, &Renderer::run_composite},
-        {Pass::kBlend, &Renderer::run_blend},
-        {Pass::kToneMap, &Renderer::run_tone_map},
-        {Pass::kResolve, &Renderer::run_resolve},
+    static const std::map<Phase, Run> kRuns = {
+        {Phase::kGeometry, &Renderer::run_geometry},   {Phase::kShadow, &Renderer::run_shadow},
+        {Phase::kOccluders, &Renderer::run_occluders}, {Phase::kTechnique, &Renderer::run_traced},
+        {Phase::kLight, &Renderer::run_light},         {Phase::kSky, &Renderer::run_sky},
+        {Phase::kComposite, &Renderer::run_composite}, {Phase::kBlend, &Renderer::run_blend},
+        {Phase::kToneMap, &Renderer::run_tone_map},    {Phase::kResolve, &Renderer::run_resolve},
     };
+    if (pass.step) {
+        run_step(job, pass);
+    } else {
+        (this->*kRuns.at(pass.phase))(job);
+    }
+}
+
+std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& wanted) {
     std::vector<PassTime> times;
     set_known_state();
     glFinish();
     gl::TimestampQueries timestamps(2 * job.plan.passes.size());
     for (const PlannedPass& planned : job.plan.passes) {
-        if (!wanted(planned.pass)) continue;
+        if (!wanted(planned.phase)) continue;
         timestamps.mark();
         const auto start = std::chrono::steady_clock::now();
-        (this->*kRuns.at(planned.pass))(job);
+        run_pass(job, planned);
         timestamps.mark();
         glFinish();
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;
-        times.push_back({planned.pass, spent.count(), 0.0});
+        times.push_back({planned.phase, planned.name, spent.count(), 0.0});
     }
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
@@ -166,31 +176,54 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Pass)>& w
     return times;
 }
 
-Frame Renderer::render(const GpuScene& scene, const Lighting& lighting, const Camera& camera,
-                       const TechniqueChoice& choice, const FramePlan& plan,
-                       const TracedAccessibility& traced, const ViewBuffers& known) {
+Frame Renderer::render(const View& view, const Variant& variant, int width, int height,
+                       const ViewBuffers& known) {
+    return draw(view, plan_of(view, variant, width, height), known);
+}
+
+Frame Renderer::draw(const View& view, const FramePlan& plan, const ViewBuffers& known) {
     Frame frame(plan, known);
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
-            frame, camera,   traced};
-    std::map<Pass, PassTime> times;
-    for (const PassTime& time : frame.taken_over()) times[time.pass] = time;
-    for (const PassTime& time : run(job, [&](Pass pass) { return !times.contains(pass); })) {
-        times[time.pass] = time;
+    Job job = job_of(view, plan, frame);
+    const auto taken = [&frame](Phase phase) {
+        const auto& all = frame.taken_over();
+        return std::find_if(all.begin(), all.end(),
+                            [phase](const PassTime& time) { return time.phase == phase; });
+    };
+    const auto is_taken = [&](Phase phase) { return taken(phase) != frame.taken_over().end(); };
+    const std::vector<PassTime> spent = run(job, [&](Phase phase) { return !is_taken(phase); });
+    note_unread_parameters(plan);
+    auto next = spent.begin();
+    for (const PlannedPass& planned : plan.passes) {
+        frame.times.push_back(is_taken(planned.phase) ? *taken(planned.phase) : *next++);
     }
-    for (const PlannedPass& planned : plan.passes) frame.times.push_back(times.at(planned.pass));
     return frame;
 }
 
-std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const GpuScene& scene,
-                                                           const Lighting& lighting,
-                                                           const Camera& camera,
-                                                           const TechniqueChoice& choice) {
-    const FramePlan& plan = frame.plan();
-    const TracedAccessibility none;
-    Job job{scene, lighting, choice, plan, matrices_of(camera, plan.width, plan.height),
-            frame, camera,   none};
-    return run(job,
-               [](Pass pass) { return pass == Pass::kAccessibility || pass == Pass::kDenoise; });
+void Renderer::note_unread_parameters(const FramePlan& plan) {
+    std::set<std::string> unread;
+    bool has_steps = false;
+    for (const auto& [name, value] : plan.parameters) unread.insert("p_" + name);
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.phase != Phase::kTechnique || !pass.step) continue;
+        has_steps = true;
+        const gl::Program& shader = step_program(*pass.step);
+        std::erase_if(unread, [&shader](const std::string& name) { return shader.has(name); });
+    }
+    if (!has_steps) return;
+    for (const std::string& name : unread) {
+        mismatches_.insert("no step of " + plan.variant.technique + " reads " + name);
+    }
+}
+
+std::vector<PassTime> Renderer::render_accessibility_again(Frame& frame, const View& view,
+                                                           const Variant& variant) {
+    const FramePlan plan =
+        plan_of(view, variant, frame.plan().image_width, frame.plan().image_height);
+    if (plan.targets != frame.plan().targets) {
+        throw base::failure("{} needs other buffers than the frame has", variant.in_words());
+    }
+    Job job = job_of(view, plan, frame);
+    return run(job, is_of_the_variant);
 }
 
 }  // namespace obscura::renderer

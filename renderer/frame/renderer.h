@@ -6,21 +6,19 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/frame/camera.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/gpu_scene.h"
+#include "renderer/frame/view.h"
 #include "renderer/gl/program.h"
 
 namespace obscura::renderer {
 
-/// Gives the accessibility of every pixel, upper row first, for a technique that is ray traced.
-using TracedAccessibility = std::function<std::vector<float>(
-    const Camera& camera, int width, int height, const TechniqueChoice& choice)>;
-
-/// Turns a planned frame into images. Needs a current OpenGL 4.5 context for as long as it lives;
+/// Renders the images of views. Needs a current OpenGL 4.5 context for as long as it lives;
 /// shaders are compiled once, when a plan first needs them.
 class Renderer {
   public:
@@ -29,25 +27,34 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
-    /// right on every driver. `plan` must come from needs_of(scene, lighting) and `choice`. A
-    /// technique that is ray traced asks `traced`; throws failure when there is none. Passes that
-    /// `known`, of the same scene, lighting and camera, holds the results of are not run again.
-    [[nodiscard]] Frame render(const GpuScene& scene, const Lighting& lighting,
-                               const Camera& camera, const TechniqueChoice& choice,
-                               const FramePlan& plan, const TracedAccessibility& traced = {},
+    /// Plans an image of the view and draws it. Passes that `known`, of the same scene, lighting
+    /// and camera, holds the results of are not run again. Throws as plan_frame does, and failure
+    /// where the technique is ray traced and the view cannot trace.
+    [[nodiscard]] Frame render(const View& view, const Variant& variant, int width, int height,
                                const ViewBuffers& known = {});
 
-    /// Runs accessibility and its filter once more on the buffers of a frame that was rendered of
-    /// the same scene, light and camera, for a choice with the same plan, and gives their times.
-    std::vector<PassTime> render_accessibility_again(Frame& frame, const GpuScene& scene,
-                                                     const Lighting& lighting, const Camera& camera,
-                                                     const TechniqueChoice& choice);
+    /// Runs the plan's passes in order; each is timed by glFinish and a monotonic clock, which is
+    /// right on every driver. The plan must be one of the view: plan_of.
+    [[nodiscard]] Frame draw(const View& view, const FramePlan& plan,
+                             const ViewBuffers& known = {});
+
+    /// Runs the steps of technique and filter once more on the buffers of a frame that was rendered
+    /// of the same view, and gives their times. Throws failure for a variant whose plan has other
+    /// buffers.
+    std::vector<PassTime> render_accessibility_again(Frame& frame, const View& view,
+                                                     const Variant& variant);
+
+    /// What steps name and their shaders do not use, parameters that no step of a technique reads,
+    /// and what shaders of full-screen passes read and nobody sets, of all that was drawn so far; a
+    /// driver may have removed what has no effect.
+    [[nodiscard]] const std::set<std::string>& mismatches() const { return mismatches_; }
 
   private:
     struct Job;
+    static Job job_of(const View& view, const FramePlan& plan, Frame& frame);
     /// Runs and times each of the plan's passes that `wanted` holds.
-    std::vector<PassTime> run(Job& job, const std::function<bool(Pass)>& wanted);
+    std::vector<PassTime> run(Job& job, const std::function<bool(Phase)>& wanted);
+    void run_pass(Job& job, const PlannedPass& pass);
     using Defines = std::vector<std::string>;
 
     gl::Program& program(const std::string& vertex, const std::string& fragment,
@@ -58,14 +65,19 @@ class Renderer {
         IrradianceSh irradiance{};
     };
     const EnvironmentData& environment(const std::shared_ptr<const Environment>& source);
-    const gl::Texture& kernel(int samples);
+    const gl::Texture& texture_of(const Table& table);
 
     void run_geometry(Job& job);
     void run_shadow(Job& job);
     void run_occluders(Job& job);
-    void run_accessibility(Job& job);
-    void run_traced_accessibility(Job& job);
-    void run_denoise(Job& job);
+    void run_traced(Job& job);
+    gl::Program& step_program(const Step& step);
+    void run_step(Job& job, const PlannedPass& pass);
+    void note_unread_parameters(const FramePlan& plan);
+    /// Attaches one level and layer of what the step writes.
+    void attach_step(Job& job, const PlannedPass& pass, int level, int layer);
+    /// Everything that a step's shader may use.
+    void set_step(Job& job, gl::Program& program, const PlannedPass& pass, int level, int layer);
     void run_light(Job& job);
     void run_sky(Job& job);
     void run_composite(Job& job);
@@ -82,14 +94,14 @@ class Renderer {
     /// The uniforms of passes/lighting.glsl; shadow maps are bound to units 6 and 7.
     void set_lighting(Job& job, gl::Program& program);
     /// The layers of a shadow map, one a view.
-    void draw_shadows(Job& job, Target map, const std::vector<ShadowView>& views);
+    void draw_shadows(Job& job, const Buffer& map, const std::vector<ShadowView>& views);
     /// Blended triangles of materials at least that opaque, the furthest first.
     void draw_blended(Job& job, gl::Program& program, float least_opacity);
 
     /// Makes `targets` the colour outputs 0, 1, ... (those that the plan has not are skipped), and
     /// `visibility` the depth that is tested; all have one size.
-    void attach(Job& job, const std::vector<Target>& targets,
-                std::optional<Target> visibility = Target::kVisibility);
+    void attach(Job& job, const std::vector<std::string_view>& targets,
+                std::optional<std::string_view> visibility = Target::kVisibility);
     /// Draws all that is not blended, nearest in front, with passes/geometry.vert.glsl.
     void draw_opaque(Job& job, const std::string& fragment, Defines defines);
     /// The shader's accessibility_of_sample().
@@ -101,10 +113,10 @@ class Renderer {
 
     gl::Framebuffer framebuffer_;
     gl::VertexArray empty_;
-    gl::Texture rotations_;
     std::map<std::string, std::unique_ptr<gl::Program>> programs_;
-    std::map<int, gl::Texture> kernels_;
+    std::map<std::string, gl::Texture> tables_;  ///< by their size and bytes
     std::map<std::shared_ptr<const Environment>, EnvironmentData> environments_;
+    std::set<std::string> mismatches_;
 };
 
 }  // namespace obscura::renderer

@@ -7,6 +7,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -80,7 +81,7 @@ std::string shader_source(const std::string& path) {
 
 Program::Program(const std::string& vertex, const std::string& fragment,
                  const std::vector<std::string>& defines)
-    : program_(ProgramName::make()) {
+    : program_(ProgramName::make()), name_(fragment) {
     const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, defines);
     const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines);
     glAttachShader(program_.name(), vertex_shader.name());
@@ -93,6 +94,23 @@ Program::Program(const std::string& vertex, const std::string& fragment,
         glGetProgramInfoLog(program_.name(), sizeof log, nullptr, log);
         throw base::failure("the shaders {} and {} do not link:\n{}", vertex, fragment, log);
     }
+    GLint count = 0;
+    glGetProgramiv(program_.name(), GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        char name[256] = "";
+        glGetActiveUniformName(program_.name(), static_cast<GLuint>(i), sizeof name, nullptr, name);
+        const std::string uniform = name;
+        active_.insert(uniform.substr(0, uniform.find('[')));
+    }
+}
+
+std::vector<std::string> Program::newly_unset() {
+    std::vector<std::string> unset;
+    if (std::exchange(checked_, true)) return unset;
+    for (const std::string& uniform : active_) {
+        if (!locations_.contains(uniform)) unset.push_back(uniform);
+    }
+    return unset;
 }
 
 void Program::use() const { glUseProgram(program_.name()); }

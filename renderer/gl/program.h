@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -23,6 +24,12 @@ class Program {
             const std::vector<std::string>& defines);
 
     void use() const;
+    /// The fragment shader's path.
+    [[nodiscard]] const std::string& name() const { return name_; }
+    /// Whether the compiled program uses a uniform of that name.
+    [[nodiscard]] bool has(const std::string& uniform) const { return active_.contains(uniform); }
+    /// The uniforms that the program uses and nobody has set yet; each is given once.
+    [[nodiscard]] std::vector<std::string> newly_unset();
     // A uniform that the shader does not use is ignored, as the compiler may have removed it.
     void set(const char* uniform, int value);
     void set(const char* uniform, float value);
@@ -37,7 +44,10 @@ class Program {
     [[nodiscard]] GLint location(const char* uniform);
 
     ProgramName program_;
-    std::unordered_map<std::string, GLint> locations_;
+    std::unordered_map<std::string, GLint> locations_;  ///< of all that were set
+    std::string name_;
+    std::set<std::string> active_;
+    bool checked_ = false;
 };
 
 /// The folder in OBSCURA_SHADERS, from which shaders are read; empty where it is unset or empty.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/base/check.h"
+#include "renderer/denoise/denoise.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/reference/reference.h"
@@ -16,84 +16,63 @@ namespace obscura::renderer {
 namespace {
 
 constexpr int kRays = 64;
+/// Share of pixels that may be uncertain: the others bind the shader to kUncertain or closer.
+constexpr double kMostUncertain = 0.05;
 
-/// All that compute a buffer.
-std::vector<std::string> all_techniques() {
-    std::vector<std::string> names;
-    for (const Technique& technique : techniques()) {
-        if (technique.makes_accessibility()) names.push_back(technique.name);
+/// Nominal values; empty where some pixel was not evaluated.
+Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
+    Values values;
+    values.reserve(admitted.size());
+    for (const std::optional<Admitted>& pixel : admitted) {
+        if (!pixel) return {};
+        values.push_back(static_cast<float>(pixel->value));
     }
-    return names;
-}
-
-std::vector<std::string> chosen_techniques(const HardCaseOptions& options) {
-    if (options.techniques.empty()) return all_techniques();
-    std::vector<std::string> chosen;
-    const std::vector<std::string> known = all_techniques();
-    for (const std::string& name : options.techniques) {
-        const bool computes = std::find(known.begin(), known.end(), name) != known.end();
-        if (!computes && find_technique(name) == nullptr) {
-            throw base::bad_input("hard cases: \"{}\" is no technique", name);
-        }
-        if (computes) chosen.push_back(name);
-    }
-    return chosen;
+    return values;
 }
 
 }  // namespace
 
-const std::vector<HardCase>& hard_cases() {
-    static const std::vector<HardCase> list = {
-        planes_case(),    separated_cube_case(), thin_occluder_case(), border_case(),
-        close_up_case(),  not_a_number_case(),   rotations_case(),     background_case(),
-        units_case(),     projections_case(),    denoise_case(),       quantisation_case(),
-        odd_sizes_case(), degenerate_case(),
-    };
-    return list;
-}
-
-std::size_t hard_case_steps(const HardCaseOptions& options) {
-    const std::size_t techniques = chosen_techniques(options).size();
-    std::size_t steps = 0;
-    for (const HardCase& hard_case : hard_cases()) steps += hard_case.once ? 1 : techniques;
-    return steps;
-}
-
-std::vector<HardCaseResult> run_hard_cases(const HardCaseOptions& options) {
-    base::check_range("hard cases", "size", options.size_px, 32, 1024);
-    base::check_range("hard cases", "vectors", options.vectors, 1, 10'000'000);
-    const std::vector<std::string> chosen = chosen_techniques(options);
-    std::vector<HardCaseResult> rows;
-    Bench bench(options, rows);
-    for (const HardCase& hard_case : hard_cases()) {
-        bench.begin(hard_case);
-        for (const std::string& technique :
-             hard_case.once ? std::vector<std::string>{"all"} : chosen) {
-            hard_case.run(bench, technique);
-            if (options.progress)
-                options.progress(fmt::format("{} {}", hard_case.title, technique));
-        }
+SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
+    const FramePlan& plan = frame.plan();
+    const std::string depth = plan.seen_by_technique(Target::kDepth);
+    const std::string normal = plan.seen_by_technique(Target::kNormal);
+    SeenBuffers buffers{plan.width, plan.height, camera, frame.read_floats(depth), {}};
+    for (float& depth_m : buffers.depth_m) {
+        // Half floats hold infinity there; a shader sees no difference.
+        if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
     }
-    return rows;
+    if (plan.find(normal) == nullptr) return buffers;
+    for (const float code : frame.read_components(normal, 3)) {
+        buffers.normal.push_back(static_cast<std::uint8_t>(std::lround(255.0F * code)));
+    }
+    return buffers;
 }
 
 bool Shot::is_surface(std::size_t pixel) const { return depth_m[pixel] < kBackgroundLimit_m; }
 
-void Bench::begin(const HardCase& hard_case) {
+void Bench::run(const HardCase& hard_case, const Technique* technique) {
     name_ = fmt::format("{} {}", hard_case.number, hard_case.title);
+    technique_ = technique != nullptr ? technique->name : "all";
+    agreements_.clear();
+    allow_uncertain_ = false;
+    if (technique != nullptr) {
+        hard_case.run(*this, *technique);
+    } else {
+        hard_case.run_once(*this);
+    }
+    write_agreements();
 }
 
-TechniqueChoice Bench::settings(const std::string& technique, double radius) {
+TechniqueChoice Bench::settings(const Technique& technique, double radius) {
     TechniqueChoice choice;
-    choice.technique = technique;
-    const Technique* found = find_technique(technique);
-    choice.samples = found->samples.standard;
+    choice.technique = technique.name;
+    choice.samples = technique.ray_traced ? kRays : technique.samples.standard;
     const std::pair<const char*, double> lengths[] = {{"radius_m", radius},
                                                       {"full_threshold_m", radius / 25.0},
                                                       {"no_threshold_m", radius},
                                                       {"depth_scale_per_m", 1.0 / radius}};
     for (const auto& [name, value] : lengths) {
-        const Parameter* parameter = found->find_parameter(name);
+        const Parameter* parameter = technique.find_parameter(name);
         if (parameter != nullptr) {
             choice.parameters[name] = std::clamp(value, parameter->low, parameter->high);
         }
@@ -101,86 +80,146 @@ TechniqueChoice Bench::settings(const std::string& technique, double radius) {
     return choice;
 }
 
-Shot Bench::shoot(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
-                  int width, int height) {
-    if (choice.technique == kReference) {
-        return trace(scene, camera, choice.parameters.at("radius_m"), width, height);
-    }
+Frame Bench::render(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
+                    int width, int height) {
     const Lighting lighting;
     const GpuScene gpu(scene);
-    const FramePlan plan = plan_frame(needs_of(scene, lighting), choice, width, height);
-    const Frame frame = renderer_.render(gpu, lighting, camera, choice, plan);
-    Shot shot{width,
-              height,
-              frame.read_floats(Target::kDepth),
-              frame.read_floats(Target::kAccessibility),
-              frame.read_floats(plan.final_accessibility()),
-              0.0};
-    for (const PassTime& time : frame.times) {
-        if (time.pass != Pass::kAccessibility) continue;
-        shot.accessibility_ms =
-            is_software_renderer() ? time.milliseconds : time.query_milliseconds;
+    return renderer_.render({gpu, lighting, camera}, choice, width, height);
+}
+
+double Bench::time_ms(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
+                      int width, int height) {
+    double spent_ms = 0.0;
+    for (const PassTime& time : render(scene, camera, choice, width, height).times) {
+        if (time.phase != Phase::kTechnique) continue;
+        spent_ms += is_software_renderer() ? time.milliseconds : time.query_milliseconds;
     }
+    return spent_ms;
+}
+
+Shot Bench::shoot(const std::string& what, const Scene& scene, const Camera& camera,
+                  const TechniqueChoice& choice, int width, int height) {
+    if (find_technique(choice.technique)->ray_traced) {
+        return trace(scene, camera, choice, width, height);
+    }
+    const Frame frame = render(scene, camera, choice, width, height);
+    const SeenBuffers buffers = seen_buffers(frame, camera);
+    Shot shot{.width = width,
+              .height = height,
+              .depth_m = buffers.depth_m,
+              .accessibility = frame.read_floats(Target::kAccessibility),
+              .denoised = frame.read_floats(frame.plan().final_accessibility())};
+    hold_against_definition(what, buffers, choice, shot);
     return shot;
 }
 
-Shot Bench::trace(const Scene& scene, const Camera& camera, double radius, int width, int height) {
-    ReferenceOptions options;
-    options.radius_m = radius;
-    options.rays = kRays;
+Shot Bench::trace(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
+                  int width, int height) {
     const ReferenceScene rays(scene);
-    const ReferenceImage image = rays.trace(camera, width, height, options);
-    return {width, height, image.depth_m, image.accessibility, image.accessibility, 0.0};
+    const ReferenceImage image = rays.trace(camera, width, height, reference_options(choice));
+    return {.width = width,
+            .height = height,
+            .depth_m = image.depth_m,
+            .accessibility = image.accessibility,
+            .denoised = image.accessibility};
 }
 
-void Bench::expect(const std::string& technique, const std::string& quantity, double expected,
-                   double measured, double tolerance, const std::string& nature,
-                   const std::string& note) {
-    HardCaseResult row{name_,    technique, quantity,        expected,
-                       measured, tolerance, Outcome::kHolds, note};
-    if (!(std::abs(measured - expected) <= tolerance)) {
-        row.outcome = nature.empty() ? Outcome::kFails : Outcome::kByNature;
-        if (!nature.empty()) row.note += (note.empty() ? "" : "; ") + nature;
+void Bench::hold_against_definition(const std::string& what, const SeenBuffers& buffers,
+                                    const TechniqueChoice& choice, Shot& shot) {
+    const Technique& technique = *find_technique(choice.technique);
+    if (!technique.model) return;
+    const auto admitted = admitted_by(technique.model(buffers, choice), buffers);
+    for (const std::optional<Admitted>& pixel : admitted) {
+        if (pixel) shot.depth_reads = std::max(shot.depth_reads, pixel->depth_reads);
     }
-    rows_.push_back(row);
+    Agreement agreement = agreement_of(admitted, shot.accessibility, shot.width, what);
+    if (allow_uncertain_) agreement.uncertain = 0;
+    agreements_[""].add(agreement);
+    shot.as_defined = agreement.off == 0;
+    shot.defined_accessibility = values_of(admitted);
+    shot.defined_denoised = shot.defined_accessibility;
+    const Denoise& denoise = *find_denoise(choice.denoise);
+    if (!denoise.model) return;
+    // On what the technique's shader wrote, so that each is held against its own definition.
+    const std::vector<Admitted> filtered = denoise.model(buffers, shot.accessibility);
+    const std::vector<std::optional<Admitted>> all(filtered.begin(), filtered.end());
+    const Agreement of_filter = agreement_of(all, shot.denoised, shot.width, what);
+    agreements_[denoise.name].add(of_filter);
+    shot.as_defined &= of_filter.off == 0;
+    shot.defined_denoised = values_of(all);
 }
 
-void Bench::expect_sound(const std::string& technique, const std::string& quantity,
-                         const Shot& shot, const std::string& note) {
+HardCaseResult Bench::row(const std::string& quantity) const {
+    HardCaseResult result;
+    result.name = name_;
+    result.technique = technique_;
+    result.quantity = quantity;
+    return result;
+}
+
+void Bench::write_agreements() {
+    for (const auto& [filter, agreement] : agreements_) {
+        const std::string of = filter.empty() ? "A" : filter + ": A";
+        HardCaseResult nearest = row(of + " at the pixel farthest from its definition");
+        nearest.against = Against::kDefinition;
+        nearest.expected = agreement.worst.definition;
+        nearest.definition = agreement.worst.definition;
+        nearest.measured = agreement.worst.measured;
+        nearest.tolerance = agreement.worst.allowed;
+        nearest.outcome = agreement.off == 0 ? Outcome::kHolds : Outcome::kFails;
+        nearest.note = fmt::format("{} of {} pixels of {} images are off; {}", agreement.off,
+                                   agreement.pixels, agreement.images, agreement.worst.where);
+        rows_.push_back(nearest);
+        HardCaseResult uncertain = row(fmt::format(
+            "{}: share of pixels that rounding may move by more than {}", of, kUncertain));
+        uncertain.against = Against::kDefinition;
+        uncertain.measured =
+            static_cast<double>(agreement.uncertain) / static_cast<double>(agreement.pixels);
+        uncertain.tolerance = kMostUncertain;
+        uncertain.outcome =
+            uncertain.measured <= kMostUncertain ? Outcome::kHolds : Outcome::kFails;
+        rows_.push_back(uncertain);
+    }
+}
+
+void Bench::expect(const std::string& quantity, double truth, const Found& found, double tolerance,
+                   const std::string& nature, const std::string& note) {
+    HardCaseResult result = row(quantity);
+    result.expected = truth;
+    result.definition = found.definition;
+    result.measured = found.measured;
+    result.tolerance = tolerance;
+    result.outcome = Outcome::kHolds;
+    result.note = note;
+    if (!(std::abs(found.measured - truth) <= tolerance)) {
+        const bool by_nature = !nature.empty() && found.as_defined;
+        result.outcome = by_nature ? Outcome::kByNature : Outcome::kFails;
+        if (by_nature) result.note += (note.empty() ? "" : "; ") + nature;
+    }
+    rows_.push_back(result);
+}
+
+void Bench::expect_growth(const std::string& quantity, double measured, double most,
+                          Outcome outcome, const std::string& note) {
+    HardCaseResult result = row(quantity);
+    result.expected = 1.0;
+    result.measured = measured;
+    result.tolerance = most - 1.0;
+    result.outcome = outcome;
+    result.note = note;
+    rows_.push_back(result);
+}
+
+void Bench::expect_sound(const std::string& quantity, const Shot& shot, const std::string& note) {
     std::size_t unsound = 0;
-    for (const std::vector<float>* values : {&shot.accessibility, &shot.denoised}) {
+    for (const Values* values : {&shot.accessibility, &shot.denoised}) {
         unsound +=
             static_cast<std::size_t>(std::count_if(values->begin(), values->end(), [](float value) {
                 return !(value >= 0.0F && value <= 1.0F);
             }));
     }
-    expect(technique, quantity + ": values that are not in [0, 1]", 0.0,
-           static_cast<double>(unsound), 0.0, "", note);
-}
-
-std::string not_white_by_nature(const std::string& technique) {
-    if (technique == "crytek") {
-        return "half of the samples around a flat surface lie below it: 0.75 where it faces the "
-               "camera, other values where it is tilted or where samples leave the image";
-    }
-    return "";
-}
-
-std::string tilted_by_nature(const std::string& technique) {
-    if (technique == "blizzard" || technique == "raymarch") {
-        return "the depth at a sample is compared with the depth of P, so the nearer part of a "
-               "tilted or round surface counts as an occluder of the rest";
-    }
-    return not_white_by_nature(technique);
-}
-
-std::string border_by_nature(const std::string& technique) {
-    if (technique == kReference) return "";
-    return "what lies outside the image is not in the buffer and reads as very far";
-}
-
-double facing_wall_value(const std::string& technique) {
-    return technique == "crytek" ? 0.75 : 1.0;
+    expect(quantity + ": values that are not in [0, 1]", 0.0, static_cast<double>(unsound), 0.0,
+           note);
 }
 
 double farthest(const Shot& shot, std::span<const float> values, double expected, double margin) {

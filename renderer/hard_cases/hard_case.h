@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,27 @@ namespace obscura::renderer {
 /// Whether a hard case holds for a technique.
 enum class Outcome {
     kHolds,
-    kByNature,  ///< no, as the technique's definition says
-    kFails,     ///< no, and nothing explains it
+    kByNature,   ///< no: the image is what the technique's definition gives, and that is not the
+                 ///< truth
+    kUndecided,  ///< times that were taken on a machine too busy to tell
+    kFails,      ///< no, and nothing explains it
+};
+
+/// What a row holds a measurement against.
+enum class Against {
+    kTruth,      ///< a closed form, or what any sound image has
+    kDefinition  ///< the technique's own, in double precision: nothing excuses it
 };
 
 /// One quantity of one hard case on one technique.
 struct HardCaseResult {
     std::string name;       ///< number and title of the case
-    std::string technique;  ///< a technique's name, `reference`, a filter's, or `all`
+    std::string technique;  ///< a technique's name, or `all`
     std::string quantity;
+    Against against = Against::kTruth;
     double expected = 0.0;
+    std::optional<double>
+        definition;  ///< the quantity as the definition has it, where there is one
     double measured = 0.0;
     double tolerance = 0.0;
     Outcome outcome = Outcome::kFails;
@@ -30,9 +42,10 @@ struct HardCaseResult {
 };
 
 struct HardCaseOptions {
-    std::vector<std::string> techniques;  ///< empty: all that compute a buffer, and the reference
+    std::vector<std::string> techniques;  ///< empty: all that compute a buffer
+    std::vector<int> cases;               ///< by number; empty: all
     int size_px = 128;                    ///< of the square images of most cases, 32 to 1024
-    bool timing = true;                   ///< also the case that compares times
+    bool timing = true;                   ///< also the row that compares times
     int vectors = 1'000'000;  ///< random vectors of the case about rotations, 1 to 10 million
     /// Called after each case on each technique, with the share done.
     std::function<void(const std::string& what)> progress;
@@ -40,12 +53,13 @@ struct HardCaseOptions {
 
 class Bench;
 
-/// One of the list in the techniques' definition: numerical stability.
+/// One of the list in the techniques' definition: numerical stability. One of the two functions is
+/// there.
 struct HardCase {
     int number = 0;
     const char* title = "";
-    bool once = false;  ///< of no technique in particular: run one time, for `all`
-    void (*run)(Bench& bench, const std::string& technique) = nullptr;
+    void (*run)(Bench& bench, const Technique& technique) = nullptr;
+    void (*run_once)(Bench& bench) = nullptr;  ///< of no technique in particular
 };
 
 /// All cases, by number.

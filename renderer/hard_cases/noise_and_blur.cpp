@@ -21,15 +21,14 @@ Scene straight_corner() {
 
 /// The largest difference, over all rows, between the means of a row's pixels by their place in the
 /// tile of rotations; border left out.
-double tile_pattern(const Shot& shot) {
+double tile_pattern(const Shot& shot, const Values& values) {
     double largest = 0.0;
     const int margin = shot.width / 8 / kTileSize * kTileSize;
     for (int y = margin; y < shot.height - margin; ++y) {
         double mean[kTileSize] = {};
         const int columns = (shot.width - 2 * margin) / kTileSize;
         for (int x = 0; x < columns * kTileSize; ++x) {
-            mean[x % kTileSize] +=
-                static_cast<double>(shot.denoised[shot.at(margin + x, y)]) / columns;
+            mean[x % kTileSize] += static_cast<double>(values[shot.at(margin + x, y)]) / columns;
         }
         const auto [low, high] = std::minmax_element(std::begin(mean), std::end(mean));
         largest = std::max(largest, *high - *low);
@@ -48,14 +47,14 @@ Scene plate_before_dark_wall() {
 }
 
 /// The smallest value on the plate one pixel or more off its edge.
-double smallest_on_plate(const Shot& shot) {
+double smallest_on_plate(const Shot& shot, const Values& values) {
     double smallest = 1.0;
     for (int y = shot.height / 8; y < shot.height - shot.height / 8; ++y) {
         for (int x = 1; x < shot.width - shot.width / 8; ++x) {
             const bool plate = shot.depth_m[shot.at(x, y)] < 4.0F;
             const bool next = shot.depth_m[shot.at(x - 1, y)] < 4.0F;
             if (plate && next) {
-                smallest = std::min(smallest, static_cast<double>(shot.denoised[shot.at(x, y)]));
+                smallest = std::min(smallest, static_cast<double>(values[shot.at(x, y)]));
             }
         }
     }
@@ -63,29 +62,30 @@ double smallest_on_plate(const Shot& shot) {
 }
 
 /// Case 11, for every filter.
-void run(Bench& bench, const std::string& technique) {
-    if (technique == kReference) return;  // it has neither tile nor filter
+void run_noise_and_blur(Bench& bench, const Technique& technique) {
+    if (technique.ray_traced) return;  // it has neither tile nor filter
     const int size = bench.options().size_px;
     for (const Denoise& filter : denoise_filters()) {
-        if (filter.passes == 0) continue;
+        if (filter.recipe.steps.empty()) continue;
         TechniqueChoice choice = Bench::settings(technique, 0.4);
         choice.denoise = filter.name;
-        const Shot corner =
-            bench.shoot(straight_corner(), shapes::camera(5.0F), choice, size, size);
-        bench.expect(technique, filter.name + ": 4-pixel pattern left along a straight corner", 0.0,
-                     tile_pattern(corner), 0.004);
-        const Shot edge =
-            bench.shoot(plate_before_dark_wall(), shapes::camera(5.0F), choice, size, size);
-        const double plate = facing_wall_value(technique);
-        bench.expect(
-            technique, filter.name + ": smallest A on a plate, 1 pixel off its edge", plate,
-            std::min(smallest_on_plate(edge), plate), 0.01,
-            filter.reads_depth ? not_white_by_nature(technique) : "the filter knows no edges");
+        const Shot corner = bench.shoot("a straight corner", straight_corner(),
+                                        shapes::camera(5.0F), choice, size, size);
+        const auto pattern = [&](const Values& values) { return tile_pattern(corner, values); };
+        bench.expect(filter.name + ": 4-pixel pattern left along a straight corner", 0.0,
+                     of_denoised(corner, pattern), 0.004);
+        const Shot edge = bench.shoot("a plate before a dark wall", plate_before_dark_wall(),
+                                      shapes::camera(5.0F), choice, size, size);
+        const auto smallest = [&](const Values& values) { return smallest_on_plate(edge, values); };
+        bench.expect(filter.name + ": smallest A on a plate, 1 pixel off its edge", 1.0,
+                     of_denoised(edge, smallest), 0.01,
+                     filter.edge_by_nature.empty() ? technique.why_not(Ideal::kOpenFacing)
+                                                   : filter.edge_by_nature);
     }
 }
 
 }  // namespace
 
-HardCase denoise_case() { return {11, "noise and blur", false, run}; }
+HardCase denoise_case() { return {11, "noise and blur", run_noise_and_blur}; }
 
 }  // namespace obscura::renderer

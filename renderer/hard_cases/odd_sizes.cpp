@@ -11,21 +11,22 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 13. Sizes that are no multiple of anything; the largest is left out where images are small.
-void run(Bench& bench, const std::string& technique) {
-    const bool large = bench.options().size_px >= 128 && technique != kReference;
+void run_odd_sizes(Bench& bench, const Technique& technique) {
+    const bool large = bench.options().size_px >= 128 && !technique.ray_traced;
     for (const auto& [width, height] : {std::pair(1, 1), {17, 9}, {3, 200}, {1921, 1081}}) {
         if (width > 1000 && !large) continue;
         TechniqueChoice choice = Bench::settings(technique, 0.3);
-        if (technique != kReference) choice.denoise = "separable";
+        if (!technique.ray_traced) choice.denoise = "separable";
+        const std::string size = fmt::format("{}x{}", width, height);
         const Shot shot =
-            bench.shoot(shapes::clutter(), shapes::camera(5.0F), choice, width, height);
-        bench.expect_sound(technique, fmt::format("{}x{}", width, height), shot,
+            bench.shoot(size, shapes::clutter(), shapes::camera(5.0F), choice, width, height);
+        bench.expect_sound(size, shot,
                            "at full size: accessibility has no other resolution scale yet");
     }
 }
 
 }  // namespace
 
-HardCase odd_sizes_case() { return {13, "odd sizes", false, run}; }
+HardCase odd_sizes_case() { return {13, "odd sizes", run_odd_sizes}; }
 
 }  // namespace obscura::renderer

@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kDistance = 5.0F;
 constexpr float kWallAt_m = 0.5F;  ///< of the side wall, to the right of the view axis
-constexpr double kRadius_m = 1.0;
 /// A at half of R from the wall of a right-angled corner: 1 - (acos c - c s) / pi, c = 0.5.
 constexpr double kHalfway = 0.804499;
 
@@ -48,9 +47,10 @@ double mean_halfway(const Shot& shot, const Camera& camera) {
 }
 
 /// Case 10. Fields of view of 10, 60 and 120 degrees and an off-centre frustum.
-void run(Bench& bench, const std::string& technique) {
+void run_projections(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
-    const TechniqueChoice choice = Bench::settings(technique, kRadius_m);
+    constexpr double kCornerRadius_m = 1.0;
+    const TechniqueChoice choice = Bench::settings(technique, kCornerRadius_m);
     for (const float shift : {0.0F, 0.6F}) {
         for (const float fov_deg : {10.0F, 60.0F, 120.0F}) {
             Camera camera = shapes::camera(kDistance);
@@ -59,14 +59,22 @@ void run(Bench& bench, const std::string& technique) {
             const std::string view = fmt::format("field of view {:g} deg, lens shift {:g}", fov_deg,
                                                  static_cast<double>(shift));
             const Shot wall =
-                bench.shoot(shapes::plane(kDistance, 0.0F), camera, choice, size, size);
-            const double expected = facing_wall_value(technique);
-            bench.expect(technique, "A of a wall that faces the camera, " + view, expected,
-                         farthest(wall, wall.accessibility, expected, 0.2), 0.005);
-            if (technique != kReference || shift != 0.0F) continue;
-            const Shot shot = bench.shoot(corner(), camera, choice, size, size);
-            bench.expect(technique, "A at half of R from a right-angled corner, " + view, kHalfway,
-                         mean_halfway(shot, camera), 0.01, "",
+                bench.shoot(view, shapes::plane(kDistance, 0.0F), camera, choice, size, size);
+            const auto from = [&wall](double expected) {
+                return of_accessibility(wall, [&wall, expected](const Values& values) {
+                    return farthest(wall, values, expected, 0.2);
+                });
+            };
+            bench.expect("A of a wall that faces the camera, " + view, 1.0, from(1.0), 0.005,
+                         technique.why_not(Ideal::kOpenFacing));
+            bench.expect("closed form of its definition on that wall, " + view,
+                         technique.facing_wall, from(technique.facing_wall), 0.005);
+            if (technique.ray_traced && shift != 0.0F) continue;
+            const Shot shot =
+                bench.shoot("a corner, " + view, corner(), camera, choice, size, size);
+            if (!technique.ray_traced) continue;
+            bench.expect("A at half of R from a right-angled corner, " + view, kHalfway,
+                         mean_halfway(shot, camera), 0.01,
                          "64 rays a pixel, mean over the pixels there");
         }
     }
@@ -74,6 +82,6 @@ void run(Bench& bench, const std::string& technique) {
 
 }  // namespace
 
-HardCase projections_case() { return {10, "projections", false, run}; }
+HardCase projections_case() { return {10, "projections", run_projections}; }
 
 }  // namespace obscura::renderer

@@ -34,6 +34,18 @@ constexpr std::array<std::string_view, 10> kKnownExtensions = {
     "EXT_texture_webp",
     "KHR_materials_clearcoat"};
 
+/// Extensions without which meshes are missing.
+struct GeometryExtension {
+    std::string_view name;
+    std::string_view left_out;
+};
+constexpr std::array<GeometryExtension, 5> kGeometryExtensions = {
+    {{"EXT_mesh_gpu_instancing", "of the copies that it makes of a mesh one is shown"},
+     {"KHR_draco_mesh_compression", "meshes that have no other form are not shown"},
+     {"EXT_meshopt_compression", "meshes that have no other form are not shown"},
+     {"KHR_meshopt_compression", "meshes that have no other form are not shown"},
+     {"KHR_gaussian_splatting", "its splats are not shown"}}};
+
 std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
     std::uint32_t word = 0;
     std::memcpy(&word, bytes.data() + offset, sizeof word);
@@ -130,7 +142,15 @@ void check_extensions(const JsonCursor& root, Notes& notes) {
                         name));
     });
     each("extensionsUsed", [&notes](const JsonCursor&, const std::string& name) {
-        notes.add("extensions that are not known here are left out", name);
+        const auto* const geometry =
+            std::find_if(kGeometryExtensions.begin(), kGeometryExtensions.end(),
+                         [&name](const GeometryExtension& one) { return one.name == name; });
+        if (geometry != kGeometryExtensions.end()) {
+            notes.add(fmt::format("geometry is left out: {} is not known here, {}", name,
+                                  geometry->left_out));
+        } else {
+            notes.add("extensions that are not known here are left out", name);
+        }
     });
 }
 

@@ -12,6 +12,11 @@
 namespace obscura::renderer::import_detail {
 namespace {
 
+std::optional<Texture> texels_of(std::optional<DecodedImage> image) {
+    if (!image) return std::nullopt;
+    return std::move(image->texture);
+}
+
 glm::vec3 clamped(const std::vector<double>& rgb) {
     return glm::clamp(glm::vec3(rgb[0], rgb[1], rgb[2]), 0.0F, 1.0F);
 }
@@ -43,6 +48,10 @@ GltfMaterials::GltfMaterials(const GltfFile& file, FilesRead& files, Notes& note
 void GltfMaterials::read() {
     const JsonCursor root = file_.root();
     const std::size_t count = root.count("materials");
+    if (count > ImportLimits::kMaterials) {
+        root.at("materials")
+            .fail(fmt::format("has {} elements, allowed are {}", count, ImportLimits::kMaterials));
+    }
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < count; ++i) {
         const JsonCursor cursor = root.at("materials").item(i);
@@ -299,13 +308,13 @@ std::optional<Texture> GltfMaterials::decode(std::size_t image, bool srgb, std::
     if (uri.empty()) {
         const auto view = cursor.index("bufferView", file_.views().size(), "bufferViews");
         if (!view) cursor.fail("it has neither a uri nor a bufferView");
-        return decoder_.decode(file_.views()[*view].bytes, name, srgb, why);
+        return texels_of(decoder_.decode(file_.views()[*view].bytes, name, srgb, why));
     }
     why = "its data URI is not base64";
     const auto bytes = uri.starts_with("data:") ? GltfFile::bytes_of_data_uri(uri)
                                                 : files_.read(percent_decoded(uri), why);
     if (!bytes) return std::nullopt;
-    return decoder_.decode(*bytes, name, srgb, why);
+    return texels_of(decoder_.decode(*bytes, name, srgb, why));
 }
 
 TextureIndex GltfMaterials::texture(const Use& use, bool srgb, double normal_scale,

@@ -255,6 +255,12 @@ std::optional<GltfPrimitive> PrimitiveReader::read(const std::vector<double>& mo
         notes_.add("points and lines are left out", primitive_.place());
         return std::nullopt;
     }
+    const GltfAccessor* positions = accessor(attributes_, "POSITION", {3});
+    if (positions != nullptr && !positions->view && !positions->sparse) {
+        notes_.add("geometry is left out: the file has no positions of it, or only compressed ones",
+                   primitive_.place());
+        return std::nullopt;
+    }
     const std::size_t materials = file_.root().count("materials");
     const auto material = primitive_.index("material", materials, "materials");
     result_.mesh.material =

@@ -63,8 +63,14 @@ void spread_grey(Texture& texture, int channels) {
 
 }  // namespace
 
-std::optional<Texture> ImageDecoder::decode(std::string_view bytes, const std::string& name,
-                                            bool srgb, std::string& why) {
+bool ImageDecoder::take(std::size_t bytes) {
+    if (bytes > left_bytes_) return false;
+    left_bytes_ -= bytes;
+    return true;
+}
+
+std::optional<DecodedImage> ImageDecoder::decode(std::string_view bytes, const std::string& name,
+                                                 bool srgb, std::string& why) {
     const std::string ending = ending_of(bytes, name);
     if (ending.empty()) {
         why = "it is no PNG, JPEG, TGA, BMP, TIFF or WebP image";
@@ -116,7 +122,7 @@ std::optional<Texture> ImageDecoder::decode(std::string_view bytes, const std::s
         return std::nullopt;
     }
     if (channels < 3) spread_grey(texture, channels);
-    return texture;
+    return DecodedImage{std::move(texture), channels == 2 || channels == 4};
 }
 
 Texture checkerboard(const std::string& name) {

@@ -12,6 +12,12 @@
 
 namespace obscura::renderer::import_detail {
 
+/// The texels of an image, and whether it has an alpha channel; where not, alpha is 255.
+struct DecodedImage {
+    Texture texture;
+    bool has_alpha = false;
+};
+
 /// Decodes textures while the bytes they may take last.
 class ImageDecoder {
   public:
@@ -19,8 +25,12 @@ class ImageDecoder {
     /// multiplied into the colours. `name` says the format where the first bytes do not. Nothing
     /// and why in `why` where the header names more than ImportLimits allow (nothing is decoded
     /// then), or the content is cut off or damaged.
-    [[nodiscard]] std::optional<Texture> decode(std::string_view bytes, const std::string& name,
-                                                bool srgb, std::string& why);
+    [[nodiscard]] std::optional<DecodedImage> decode(std::string_view bytes,
+                                                     const std::string& name, bool srgb,
+                                                     std::string& why);
+
+    /// Whether there is room for a texture of that many bytes which is made of others; takes it.
+    [[nodiscard]] bool take(std::size_t bytes);
 
     /// Says that a decoded texture was thrown away.
     void give_back(const Texture& texture) { left_bytes_ += texture.rgba.size(); }

@@ -101,6 +101,42 @@ bool is_scene_file(std::string_view name) {
 }
 
 namespace import_detail {
+namespace {
+
+/// The largest alpha that a mesh has anywhere, [0, 1].
+float most_alpha(const Scene& scene, const Mesh& mesh) {
+    const Material& material = scene.materials[mesh.material];
+    std::uint8_t of_vertices = 0;
+    for (const Vertex& vertex : mesh.vertices) of_vertices = std::max(of_vertices, vertex.color.a);
+    std::uint8_t of_texels = 255;
+    if (material.albedo_texture != kNoTexture) {
+        const auto& rgba = scene.textures[static_cast<std::size_t>(material.albedo_texture)].rgba;
+        of_texels = 0;
+        for (std::size_t i = 3; i < rgba.size() && of_texels < 255; i += 4) {
+            of_texels = std::max(of_texels, rgba[i]);
+        }
+    }
+    return material.opacity * static_cast<float>(of_vertices) * static_cast<float>(of_texels) /
+           (255.0F * 255.0F);
+}
+
+/// Notes surfaces that are there and that nobody can see, which can only be a mistake.
+void note_invisible(const Scene& scene, Notes& notes) {
+    for (const Mesh& mesh : scene.meshes) {
+        const Material& material = scene.materials[mesh.material];
+        if (material.coverage == Coverage::kOpaque) continue;
+        const float alpha = most_alpha(scene, mesh);
+        const bool blended = material.coverage == Coverage::kBlended;
+        if (blended ? alpha < 0.5F / 255.0F : alpha < material.alpha_cutoff) {
+            notes.add(
+                "surfaces that cannot be seen, since their opacity is 0 or below the cut-off "
+                "everywhere",
+                fmt::format("material {}", material.name));
+        }
+    }
+}
+
+}  // namespace
 
 void finish_import(ImportedScene& imported, const std::string& name, Notes& notes) {
     Scene& scene = imported.scene;
@@ -110,10 +146,12 @@ void finish_import(ImportedScene& imported, const std::string& name, Notes& note
     for (const Mesh& mesh : scene.meshes) {
         const Sides sides = sides_of(mesh);
         with_area += sides.with_area;
-        if (sides.against_normals > 0) {
+        if (sides.with_turned_normal > 0) {
             notes.add(
-                "triangles whose normals point to their back are lit as their normals say",
-                fmt::format("{} of {} in {}", sides.against_normals, sides.with_area, mesh.name));
+                "triangles of which a corner's normal points to their back are lit as their "
+                "normals say",
+                fmt::format("{} of {} in {}", sides.with_turned_normal, sides.with_area,
+                            mesh.name));
         }
     }
     if (with_area == 0) throw base::bad_input("{}: no triangle in it has an area", name);
@@ -124,6 +162,7 @@ void finish_import(ImportedScene& imported, const std::string& name, Notes& note
         scene.cameras.push_back(overview_camera(scene));
     }
     if (scene.materials.empty()) scene.materials.push_back({.name = "none"});
+    note_invisible(scene, notes);
     imported.notes = notes.lines();
 }
 
@@ -135,10 +174,10 @@ ImportedScene import_scene(const std::filesystem::path& file, const ImportOption
     if (!is_scene_file(name)) {
         throw base::bad_input("{}: allowed are files that end in .gltf, .glb and .obj", name);
     }
-    import_detail::FilesRead files(file.parent_path());
     import_detail::Notes notes;
+    import_detail::FilesRead files(file.parent_path(), options.allowed_folders, notes);
     std::string why;
-    std::optional<std::string> bytes = files.read(file.filename().string(), why);
+    std::optional<std::string> bytes = files.read_scene(file.filename().string(), why);
     if (!bytes) throw base::bad_input("{}: {}", name, why);
     ImportedScene imported =
         ending_of(name) == ".obj"

@@ -15,13 +15,16 @@ namespace obscura::renderer {
 
 struct ImportOptions {
     double scale = 1.0;  ///< metres of one unit of the file, [1e-6, 1e6]; glTF's unit is 1 m
+    /// Where files that the scene names may lie, beside its own folder.
+    std::vector<std::filesystem::path> allowed_folders = {};
 };
 
 /// What an import may hold; a file that holds more is refused, a texture that does is replaced.
 struct ImportLimits {
-    static constexpr std::size_t kFileBytes = std::size_t{512} << 20U;     ///< of all files read
-    static constexpr std::size_t kVertices = 8'000'000;                    ///< after instancing
-    static constexpr std::size_t kTriangles = 16'000'000;                  ///< after instancing
+    static constexpr std::size_t kFileBytes = std::size_t{512} << 20U;  ///< of all files read
+    static constexpr std::size_t kVertices = 8'000'000;                 ///< after instancing
+    static constexpr std::size_t kTriangles = 16'000'000;               ///< after instancing
+    static constexpr std::size_t kMaterials = 65'536;
     static constexpr std::size_t kTextureBytes = std::size_t{512} << 20U;  ///< 4 a texel
     static constexpr int kTextureSide = 16384;                             ///< texels
     static constexpr float kFarthest_m = 1e6F;  ///< largest coordinate, metres
@@ -40,6 +43,7 @@ struct ImportedScene {
     std::vector<DirectionalLight> lights;
     std::vector<PointLight> point_lights;
     std::vector<std::string> notes;
+    bool has_sides = true;  ///< whether the format can say that a surface has one side only
     std::vector<ImportedFile> files;  ///< the file itself, then its buffers, materials and textures
 };
 
@@ -50,6 +54,8 @@ inline constexpr std::string_view kOverviewCamera = "overview";
 /// in the world with their node's transform, skinned meshes in the pose of the file's nodes,
 /// missing normals and tangents made. Throws bad input naming the file, the place in it, the value
 /// met and what is allowed; a texture that cannot be read becomes a checkerboard with a note.
+/// A file outside the scene's folder and the allowed ones counts as one that cannot be read: what
+/// somebody else made must not read this user's other files.
 [[nodiscard]] ImportedScene import_scene(const std::filesystem::path& file,
                                          const ImportOptions& options = {});
 

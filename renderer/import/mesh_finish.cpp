@@ -3,6 +3,7 @@
 #include "renderer/import/mesh_finish.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace obscura::renderer::import_detail {
@@ -118,16 +119,33 @@ std::size_t mend_normals(Mesh& mesh) {
 }
 
 Sides sides_of(const Mesh& mesh) {
+    constexpr double kRounding = 1e-6;  // of normals in single precision
     Sides sides;
     for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
         const dvec3 area = area_vector(mesh, first);
-        if (!(glm::length(area) > 0.0)) continue;
+        const double size = glm::length(area);
+        if (!(size > 0.0)) continue;
         ++sides.with_area;
-        dvec3 normal(0.0);
-        for (std::size_t k = 0; k < 3; ++k) normal += mesh.vertices[mesh.indices[first + k]].normal;
-        if (glm::dot(area, normal) < 0.0) ++sides.against_normals;
+        bool turned = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const dvec3 normal = mesh.vertices[mesh.indices[first + k]].normal;
+            turned = turned || glm::dot(area, normal) < -kRounding * size;
+        }
+        if (turned) ++sides.with_turned_normal;
     }
     return sides;
+}
+
+std::size_t turn_to_normals(Mesh& mesh) {
+    std::size_t turned = 0;
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        dvec3 normal(0.0);
+        for (std::size_t k = 0; k < 3; ++k) normal += mesh.vertices[mesh.indices[first + k]].normal;
+        if (!(glm::dot(area_vector(mesh, first), normal) < 0.0)) continue;
+        std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+        ++turned;
+    }
+    return turned;
 }
 
 void make_tangents(Mesh& mesh) {

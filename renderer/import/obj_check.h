@@ -14,29 +14,24 @@ namespace obscura::renderer::import_detail {
 /// A Wavefront OBJ text of which only what is sound and shown is left.
 struct CheckedObj {
     std::string text;  ///< lines v, vt, vn, f and usemtl; indices positive and in range
-    std::vector<std::string> libraries;  ///< the files of materials that it names
-    std::vector<std::string> materials;  ///< what the text calls m0, m1, ...
-    bool has_normals = false;            ///< every corner has one
-    std::size_t triangles = 0;           ///< that its polygons make
+    std::vector<std::string> libraries;  ///< what follows each mtllib
+    std::vector<std::string> materials;  ///< what the text calls m0, m1, ...; "" is none
+    std::size_t faces = 0;
+    std::size_t faces_without_normals = 0;  ///< at one corner or more
+    std::size_t triangles = 0;              ///< that its polygons make
 };
 
-/// Checks every line, so that the library that makes meshes of it meets only sound ones. Throws
-/// bad input naming file and line: a number that is none or not finite, an index of nothing, a face
-/// of fewer than three corners, more triangles than kMostObjTriangles. Statements that are not
-/// shown (lines, curves) are noted.
+/// Checks every line, so that the library that makes meshes of it meets only sound ones. Faces
+/// stand behind all vertices, as they may in the file; faces with and without normals have
+/// materials of their own, so that the former keep theirs.
+///
+/// Positions and faces must be sound: throws bad input naming file, line, what was met and what is
+/// wanted for a position that is none, a corner without one, a face of fewer than three corners,
+/// more vertices than ImportLimits::kVertices or triangles than kMostObjTriangles. Everything else
+/// that cannot be used is replaced or passed over, with a note that names the first places.
 [[nodiscard]] CheckedObj check_obj(std::string_view text, const std::string& name, Notes& notes);
 
 /// Above this an OBJ file would take more than 2 GiB to read; glTF takes a tenth of it.
 inline constexpr std::size_t kMostObjTriangles = 3'000'000;
-
-/// The words of a line, without its comment.
-[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
-
-/// The next line of `rest`, which loses it; a line that ends in a backslash goes on in the next
-/// one. `number` counts the lines taken.
-[[nodiscard]] std::string next_line(std::string_view& rest, int& number);
-
-/// A finite number that is the whole word.
-[[nodiscard]] bool parse_number(std::string_view word, double& value);
 
 }  // namespace obscura::renderer::import_detail

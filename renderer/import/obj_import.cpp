@@ -70,8 +70,12 @@ std::string name_of_material(std::string_view called, const CheckedObj& checked)
 
 ImportedScene import_obj(std::string_view text, const std::string& name,
                          const ImportOptions& options, FilesRead& files, Notes& notes) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        throw base::bad_input("{}: it is text in UTF-16, wanted is UTF-8 or Latin-1", name);
+    }
     const CheckedObj checked = check_obj(text, name, notes);
     ImportedScene imported;
+    imported.has_sides = false;
     MtlReader materials(files, notes, imported.scene);
     for (const std::string& library : checked.libraries) materials.read(library);
 
@@ -86,11 +90,11 @@ ImportedScene import_obj(std::string_view text, const std::string& name,
     if (scene == nullptr) {
         throw base::bad_input("{}: {}", name, one_line(importer.GetErrorString()));
     }
-    if (!checked.has_normals) {
-        notes.add(
-            fmt::format("meshes without normals get smooth ones, sharp at edges above {} "
-                        "degrees",
-                        kCreaseAngle_deg));
+    if (checked.faces_without_normals > 0) {
+        notes.add(fmt::format("faces without normals get smooth ones, sharp at edges above {} "
+                              "degrees",
+                              kCreaseAngle_deg),
+                  fmt::format("{} of {}", checked.faces_without_normals, checked.faces));
     }
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
         const aiMesh& source = *scene->mMeshes[i];
@@ -100,14 +104,15 @@ ImportedScene import_obj(std::string_view text, const std::string& name,
                                        ? scene->mMaterials[source.mMaterialIndex]->GetName().C_Str()
                                        : "";
         mesh.material = materials.material(name_of_material(called, checked));
-        (void)mend_normals(mesh);
+        (void)mend_normals(mesh);  // what the library makes of faces without area
+        if (const std::size_t turned = turn_to_normals(mesh); turned > 0) {
+            notes.add("triangles whose corners go round against their normals are turned over",
+                      fmt::format("{} of {} in {}", turned, mesh.indices.size() / 3, mesh.name));
+        }
         if (imported.scene.materials[mesh.material].normal_texture != kNoTexture) {
             make_tangents(mesh);
         }
         imported.scene.meshes.push_back(std::move(mesh));
-    }
-    for (Material& material : imported.scene.materials) {
-        material.specular_intensity *= 8.0F / (material.specular_power + 8.0F);
     }
     return imported;
 }

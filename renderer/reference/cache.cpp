@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes with every change of what trace() gives for the same inputs.
-constexpr int kTraceVersion = 1;
+constexpr int kTraceVersion = 2;
 constexpr const char* kPixels = "obscura:pixels_sha256";
 
 /// Everything that trace() depends on, numbers in full precision.

@@ -50,15 +50,18 @@ RTCRayHit first_hit(const RayScene& scene, const PixelRays& pixels, const glm::d
     return hit;
 }
 
-/// As the rasteriser: turned over on the back of a surface, the triangle's own where it is none.
-glm::dvec3 shading_normal(const RayScene::Triangle& triangle, const RTCHit& hit, bool back,
-                          const glm::dvec3& otherwise) {
+/// The normal between those of the vertices, on the side of the face that the camera sees: turned
+/// over on the back of a surface, as the rasteriser's, and where it points to the face's other side
+/// (FaceForward of Pharr, Jakob and Humphreys 2023, section 3.5), which no surface has. `face` is
+/// the triangle's own, towards the camera, which stands in where there is none.
+glm::dvec3 shading_normal(const RayScene::Triangle& triangle, const RTCHit& hit,
+                          const glm::dvec3& face) {
     const glm::dvec3 sum = (1.0 - hit.u - hit.v) * glm::dvec3(triangle.normal[0]) +
                            static_cast<double>(hit.u) * glm::dvec3(triangle.normal[1]) +
                            static_cast<double>(hit.v) * glm::dvec3(triangle.normal[2]);
     const double length = glm::length(sum);
-    if (!(length > 1e-10) || !std::isfinite(length)) return otherwise;
-    return sum * ((back ? -1.0 : 1.0) / length);
+    if (!(length > 1e-10) || !std::isfinite(length)) return face;
+    return sum * ((glm::dot(sum, face) < 0.0 ? -1.0 : 1.0) / length);
 }
 
 /// The start of rays and the corners of triangles are floats, and Embree computes with their
@@ -117,9 +120,8 @@ bool PixelTracer::find_surface(int x, int y, Surface& surface) const {
     const RayScene::Triangle triangle = scene_.triangle(found.hit.geomID, found.hit.primID);
     glm::dvec3 normal = glm::normalize(glm::cross(triangle.corner[1] - triangle.corner[0],
                                                   triangle.corner[2] - triangle.corner[0]));
-    const bool back = glm::dot(normal, direction) > 0.0;
-    const glm::dvec3 shading = shading_normal(triangle, found.hit, back, back ? -normal : normal);
-    if (back) normal = -normal;
+    if (glm::dot(normal, direction) > 0.0) normal = -normal;
+    const glm::dvec3 shading = shading_normal(triangle, found.hit, normal);
     // Where the ray meets the triangle's plane, in double precision; seen edge-on that has no
     // answer, and Embree's stands.
     surface.depth_m = found.ray.tfar;

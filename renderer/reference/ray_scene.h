@@ -62,6 +62,9 @@ class RayScene {
         [[nodiscard]] bool covers(unsigned primitive, float u, float v) const;
     };
 
+    /// By Embree's geomID.
+    [[nodiscard]] const Geometry& geometry(unsigned number) const { return *geometries_[number]; }
+
   private:
     void add(const Scene& scene, const Mesh& mesh);
     void attach(std::unique_ptr<Geometry> geometry);

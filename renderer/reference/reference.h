@@ -20,8 +20,10 @@ class RayScene;
 enum class Falloff { kNone, kLinear, kQuadratic };
 
 /// Whose hemisphere is sampled: the triangle's, or that of the interpolated vertex normals. Either
-/// is turned as the rasteriser does, towards the camera. Directions of the shading hemisphere that
-/// lie below the triangle's own plane lead into the surface and count as occluded at distance 0.
+/// is turned to the side of the triangle that the camera sees: on backs as by the rasteriser, and
+/// also where vertex normals point to the wrong side of their own triangle, which the rasteriser
+/// leaves as they are. Directions of the shading hemisphere that lie below the triangle's own plane
+/// lead into the surface and count as occluded at distance 0.
 enum class NormalKind { kGeometric, kShading };
 
 struct ReferenceOptions {

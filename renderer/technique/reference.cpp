@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/reference/reference.h"
 
-#include "renderer/technique/list.h"
+#include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
-Technique make_reference() {
+Technique reference_technique() {
     Technique technique;
     technique.name = "reference";
     technique.variant = "Reference";

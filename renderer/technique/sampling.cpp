@@ -38,4 +38,16 @@ std::vector<glm::vec3> ball_kernel(int count) {
     return kernel;
 }
 
+Table rotation_table() { return {"rotations", kTileSize, kTileSize, rotation_tile()}; }
+
+Table ball_table(int count) { return {"kernel", count, 1, ball_kernel(count)}; }
+
+Step accessibility_step(const Variant& variant, const std::string& shader,
+                        const std::vector<Read>& reads, int fetches) {
+    Step step{"accessibility", shader, reads, Target::kAccessibility.name, {}, fetches};
+    step.defines = {"SAMPLES " + std::to_string(variant.samples)};
+    if (variant.unclamped) step.defines.emplace_back("UNCLAMPED");
+    return step;
+}
+
 }  // namespace obscura::renderer

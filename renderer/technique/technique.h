@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/recipe/recipe.h"
+#include "renderer/technique/model.h"
+#include "renderer/technique/variant.h"
+
 namespace obscura::renderer {
 
 /// One number that shapes a technique. Command line, study file, help and shader all read this.
@@ -30,21 +34,46 @@ struct SampleRange {
     int multiple_of = 1;
 };
 
-/// One way to compute ambient occlusion: what it reads and what can be set.
+/// What a technique makes.
+enum class Output {
+    kNothing,        ///< accessibility is 1 everywhere
+    kAccessibility,  ///< the last step of its recipe writes `accessibility`
+    kColour,         ///< the last step writes `colour`, before the tone curve
+};
+
+/// What would hold of a perfect accessibility, and some techniques fail by their nature.
+enum class Ideal {
+    kOpenFacing,   ///< a wall that faces the camera, near nothing, has 1
+    kOpenTilted,   ///< so has a tilted or convex surface
+    kWholeScene,   ///< what lies outside the image occludes too
+    kAnyImage,     ///< a value does not depend on the image's size in the scene
+    kAnyFarPlane,  ///< nor on where the camera's far plane is
+};
+
+/// One way to compute ambient occlusion: what it computes in a frame and what can be set.
 struct Technique {
     std::string name;      ///< in files and on the command line
     std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
     std::string citation;  ///< the definition's source
-    std::string shader;    ///< file in renderer/technique/; empty: none
-    bool ray_traced = false;  ///< accessibility comes from the ray tracer instead of a shader
-    bool reads_depth = false;
-    bool reads_normal = false;
+    Output output = Output::kAccessibility;
+    bool ray_traced = false;  ///< accessibility comes from the ray tracer: no recipe
     SampleRange samples;
-    int fetches_per_sample = 0;  ///< depth-buffer reads each sample may make
     std::vector<Parameter> parameters;
+    Recipe (*recipe)(const Variant& variant) = nullptr;  ///< the variant has no problems
+    /// The parameter that says how far samples reach; 0 puts them all on the pixel's own point.
+    std::string reach;
+    /// The definition in double precision; empty where there is none yet.
+    Model model;
+    /// What it fails by its definition, each with the reason.
+    std::map<Ideal, std::string> by_nature;
+    /// What the definition gives a wall that faces the camera, in closed form.
+    double facing_wall = 1.0;
 
-    /// Whether it computes an accessibility; without one it is 1, and there is no pass for it.
-    [[nodiscard]] bool makes_accessibility() const { return ray_traced || !shader.empty(); }
+    /// Why it fails an ideal; empty where it does not.
+    [[nodiscard]] std::string why_not(Ideal ideal) const;
+    [[nodiscard]] bool makes_accessibility() const { return output == Output::kAccessibility; }
+    /// The recipe of its standard settings; empty where there is none.
+    [[nodiscard]] Recipe standard_recipe() const;
     [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
 };
 
@@ -53,33 +82,5 @@ struct Technique {
 
 /// The technique of that name, or nullptr.
 [[nodiscard]] const Technique* find_technique(std::string_view name);
-
-/// A technique with its settings; parameters not named take their standard value.
-struct TechniqueChoice {
-    std::string technique = "none";
-    int samples = 0;
-    std::map<std::string, double> parameters;
-    std::string denoise = "none";
-    std::string depth_format = "r32f";  ///< of the depth buffer: r32f or r16f
-    bool unclamped = false;  ///< for checks: what is not a number is not clamped away at the end
-
-    /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
-    [[nodiscard]] std::string variant_name() const;
-    /// The set value or the descriptor's standard. The parameter must exist.
-    [[nodiscard]] double value_of(const Parameter& parameter) const;
-};
-
-/// The most texture reads that one pixel may make for accessibility and filter: for each sample its
-/// depths and its point of the kernel, once the pixel's own depth, normal and rotation, and what
-/// the filter reads.
-[[nodiscard]] int fetches_per_pixel(const TechniqueChoice& choice);
-
-/// Everything wrong with a choice, one sentence each naming the key, the value and what is allowed;
-/// empty when it can be rendered.
-struct ChoiceProblem {
-    std::string key;      ///< technique, samples, denoise, depth_format or a parameter's name
-    std::string message;  ///< value met and what is allowed
-};
-[[nodiscard]] std::vector<ChoiceProblem> problems_of(const TechniqueChoice& choice);
 
 }  // namespace obscura::renderer

@@ -12,6 +12,7 @@
 #include "renderer/frame/plan.h"
 #include "renderer/light/shadow.h"
 #include "renderer/scene/surface_conversion.h"
+#include "stimuli/scenes/backs.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -161,13 +162,15 @@ std::string level_text(const OpenedScene& scene, Validity level,
         renderer::plan_frame(renderer::needs_of(*scene.scene, light), choice, width, height);
     std::string text = fmt::format("level {}: {}\n", to_string(level), light_text(light));
     std::vector<std::string> passes;
-    for (const renderer::PlannedPass& pass : plan.passes) passes.push_back(to_string(pass.pass));
+    for (const renderer::PlannedPass& pass : plan.passes) {
+        if (passes.empty() || passes.back() != pass.name) passes.push_back(pass.name);
+    }
     text +=
         fmt::format("  passes: {}\n  buffers of a {}x{} image with {}: {} bytes\n",
                     fmt::join(passes, ", "), width, height, choice.variant_name(), plan.bytes());
     for (const renderer::PlannedTarget& target : plan.targets) {
-        text += fmt::format("    {:16} {:10} bytes  {} {}x{}{}\n", to_string(target.target),
-                            target.bytes, target.format, target.width, target.height,
+        text += fmt::format("    {:16} {:10} bytes  {} {}x{}{}\n", target.name, target.bytes,
+                            target.format, target.width, target.height,
                             target.layers > 1 ? fmt::format("x{}", target.layers) : "");
     }
     for (const renderer::LeftOut& left_out : plan.left_out) {
@@ -197,8 +200,12 @@ std::string inspection_of(const OpenedScene& scene, const renderer::TechniqueCho
     text += fmt::format("bounds: {} to {} m, which is {} m\n", vector_text(bounds.low_m),
                         vector_text(bounds.high_m), vector_text(bounds.high_m - bounds.low_m));
     text += surfaces_text(content) + cameras_text(content);
-    text += fmt::format("notes: {}\n", scene.notes.empty() ? "none" : "");
-    for (const std::string& note : scene.notes) text += fmt::format("  {}\n", note);
+    std::vector<std::string> notes = scene.notes;
+    if (const std::string backs = note_on_backs(scene, content.cameras); !backs.empty()) {
+        notes.push_back(backs);
+    }
+    text += fmt::format("notes: {}\n", notes.empty() ? "none" : "");
+    for (const std::string& note : notes) text += fmt::format("  {}\n", note);
     if (!scene.files.empty()) text += fmt::format("files: {}\n", scene.files.size());
     for (const renderer::ImportedFile& file : scene.files) {
         text += fmt::format("  {} (SHA-256 {})\n", file.path.string(), file.sha256);

@@ -15,6 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the whole run, since it is its user's permission and no property of a study or scene.
+std::vector<fs::path>& allowed_folders() {
+    static std::vector<fs::path> folders;
+    return folders;
+}
+
 std::shared_ptr<const renderer::Environment> standard_sky() {
     renderer::SkyColours sky;
     sky.cloud_cover = 0.5F;
@@ -49,11 +55,13 @@ OpenedScene open_builtin(const BuiltinScene& builtin) {
 }
 
 OpenedScene open_file(const fs::path& file, const SceneSettings& settings) {
-    renderer::ImportedScene imported = renderer::import_scene(file, {settings.scale});
+    renderer::ImportedScene imported =
+        renderer::import_scene(file, {settings.scale, allowed_folders()});
     OpenedScene opened;
     opened.id = file.stem().string();
     opened.title = file.string();
     opened.builtin = false;
+    opened.has_sides = imported.has_sides;
     opened.levels = {kValidities.begin(), kValidities.end()};
     opened.notes = std::move(imported.notes);
     opened.files = std::move(imported.files);
@@ -99,6 +107,8 @@ void add_settings(OpenedScene& opened, const SceneSettings& settings, const fs::
 }
 
 }  // namespace
+
+void allow_folders(std::vector<fs::path> folders) { allowed_folders() = std::move(folders); }
 
 const renderer::Camera& OpenedScene::camera(const std::string& name) const {
     if (name.empty() && !scene->cameras.empty()) return scene->cameras.front();

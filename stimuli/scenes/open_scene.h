@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ struct OpenedScene {
     std::string id;  ///< of the built-in scene, or the file's name without folder and ending
     std::string title;
     bool builtin = true;
+    bool has_sides = true;  ///< whether its file can say that a surface has one side only
     std::shared_ptr<const renderer::Scene> scene;
     std::vector<Validity> levels;    ///< those that there is light for
     std::vector<std::string> notes;  ///< what is not shown, or otherwise than the file says
@@ -30,6 +32,11 @@ struct OpenedScene {
     /// The level of that name, the first one for "". Throws bad input naming those there are.
     [[nodiscard]] Validity level(const std::string& name = {}) const;
 };
+
+/// The folders from which files that a scene names may be read, beside the scene's own: what the
+/// person at the command line permits this run (--allow). None until said; say it before any scene
+/// is opened.
+void allow_folders(std::vector<std::filesystem::path> folders);
 
 /// Whether the source is a file's name: it holds a '/' or ends in .gltf, .glb or .obj.
 [[nodiscard]] bool is_file_source(const std::string& source);

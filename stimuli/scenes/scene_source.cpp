@@ -46,6 +46,7 @@ SceneSource source_of(OpenedScene scene, const std::string& source) {
         found.cameras.push_back(camera.name);
     }
     found.levels = opened->levels;
+    found.notes = opened->notes;
     found.build = [opened] { return *opened->scene; };
     found.lighting = opened->lighting;
     return found;

@@ -146,10 +146,10 @@ TEST(CountsFile, NeedsOnlyTheVariantsAndTheirCountsInAnySpellingOfWholeNumbers) 
         "+3; 4 ;none;blizzard;y\n",
         "votes.csv");
     ASSERT_EQ(tally.conditions.size(), 2U);
-    EXPECT_EQ(tally.conditions[0].id, "none - crytek");
-    EXPECT_EQ(tally.conditions[0].votes.a, 12);
-    EXPECT_EQ(tally.conditions[0].votes.b, 100'000);
-    EXPECT_EQ(tally.conditions[1].votes.n(), 7);
+    EXPECT_EQ(tally.conditions[0].votes.n(), 7);
+    EXPECT_EQ(tally.conditions[1].id, "none - crytek");
+    EXPECT_EQ(tally.conditions[1].votes.a, 12);
+    EXPECT_EQ(tally.conditions[1].votes.b, 100'000);
     EXPECT_THAT(tally.notes, ElementsAre("columns that are not read: remark"));
     EXPECT_THAT(refusal_of("variant_a,variant_b,count_a,count_b\nx,y,1,2\nx,y,3,4\n"),
                 HasSubstr("votes.csv:3: 'x - y' is already in line 2; where they are two "

@@ -228,7 +228,7 @@ TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
     tests::add_completed(store, 0);
     write();
     const json dictionary = json::parse(base::read_file(out / "data_dictionary.json"));
-    ASSERT_EQ(dictionary.size(), 4U);
+    ASSERT_EQ(dictionary.size(), 5U);
     for (const auto& [file, entries] : dictionary.items()) {
         const auto header = parse_csv(base::read_file(out / file), file)[0].fields;
         EXPECT_EQ(header.size(), entries.size()) << file;
@@ -300,16 +300,16 @@ TEST_F(ExportTest, FilesThatAreThereAreOverwrittenOnlyWhenAsked) {
         ADD_FAILURE() << "overwritten";
     } catch (const base::Error& error) {
         EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
-        EXPECT_THAT(error.what(), HasSubstr("an export of 5 files (participants.csv"));
+        EXPECT_THAT(error.what(), HasSubstr("an export of 6 files (participants.csv"));
         EXPECT_THAT(error.what(), HasSubstr("--force"));
     }
     EXPECT_EQ(base::read_file(out / "trials.csv"), "mine\n");
     EXPECT_FALSE(fs::exists(out / "sessions.csv"));
     write(true);
     EXPECT_NE(base::read_file(out / "trials.csv"), "mine\n");
-    EXPECT_THAT(names_in(out),
-                UnorderedElementsAre("participants.csv", "sessions.csv", "trials.csv",
-                                     "conditions.csv", "data_dictionary.json", ".obscura-export"));
+    EXPECT_THAT(names_in(out), UnorderedElementsAre("participants.csv", "sessions.csv",
+                                                    "trials.csv", "conditions.csv", "events.csv",
+                                                    "data_dictionary.json", ".obscura-export"));
 }
 
 TEST_F(ExportTest, AFileThatIsNotOfAnExportIsOverwrittenOnlyWhenAsked) {

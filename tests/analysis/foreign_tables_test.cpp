@@ -53,8 +53,8 @@ const std::string kPlain =
     "P01,hall,blizzard,none,1,1.469\n"
     "P02,yard,blizzard,crytek,1,2.832\n";
 const std::string kMeant =
-    "2 people; hall: blizzard - none: blizzard 1:0 none, 1.469 s; hall: none - crytek: none 0:1 "
-    "crytek, 1.455 s; yard: blizzard - crytek: blizzard 1:0 crytek, 2.832 s";
+    "2 people; hall: none - blizzard: none 0:1 blizzard, 1.469 s; hall: none - crytek: none 0:1 "
+    "crytek, 1.455 s; yard: crytek - blizzard: crytek 0:1 blizzard, 2.832 s";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -109,7 +109,7 @@ TEST(ForeignTables, SeparatorsLineEndsAndEncodingsAreRecognised) {
 
 TEST(ForeignTables, Latin1IsConvertedAndSaidAndWhatIsNeitherIsRefusedWithARemedy) {
     const Tally read = tally(replaced(kPlain, "hall", "G\xE5rd\x80"));
-    EXPECT_EQ(read.conditions.at(0).id, "Gård€: blizzard - none");
+    EXPECT_EQ(read.conditions.at(0).id, "Gård€: none - blizzard");
     EXPECT_THAT(read.notes, ElementsAre(HasSubstr("Windows-1252")));
     EXPECT_THAT(refusal_of(replaced(replaced(kPlain, "hall", "Gård"), "yard", "G\xE5rd")),
                 AllOf(HasSubstr("t.csv:4: the text is not UTF-8"), HasSubstr("save it as UTF-8")));
@@ -157,8 +157,9 @@ TEST(ForeignTables, ColumnsThatAreNotNeededDoNoHarmAndAreNamedOnce) {
 
 TEST(ForeignTables, EverySpellingOfYesNoAndMissingIsKnown) {
     constexpr std::pair<const char*, const char*> kSpellings[]{
-        {"1", "0"}, {"1.0", "0.0"}, {"TRUE", "FALSE"}, {"True", "False"}, {"true", "false"},
-        {"T", "F"}, {"yes", "no"},  {"Y", "N"},        {"1e0", "0e0"},    {"\"1\"", "\"0\""}};
+        {"1", "0"},        {"1.0", "0.0"},     {"TRUE", "FALSE"}, {"True", "False"},
+        {"true", "false"}, {"T", "F"},         {"yes", "no"},     {"Y", "N"},
+        {"1e0", "0e0"},    {"\"1\"", "\"0\""}, {"WAHR", "FALSCH"}};
     for (const auto& [yes, no] : kSpellings) {
         const std::string bytes = replaced(replaced(kPlain, ",1,", fmt::format(",{},", yes)), ",0,",
                                            fmt::format(",{},", no));
@@ -198,7 +199,7 @@ TEST(ForeignTables, ARefusalNamesTheLikeliestColumnsAndMapTakesThem) {
     std::vector<std::string> map{"observer=subject id", "condition_A=stimulus_left",
                                  "condition_B=stimulus_right", "is_A_selected=picked_left"};
     EXPECT_EQ(words(tally(bytes, map)), kMeant);
-    EXPECT_EQ(tally(kPlain, {"scene="}).conditions.at(0).id, "blizzard - crytek");
+    EXPECT_EQ(tally(kPlain, {"scene="}).conditions.at(0).id, "crytek - blizzard");
     EXPECT_EQ(refusal_of(kPlain, {"observer=nobody"}),
               "t.csv:1: --map observer=nobody: there is no column 'nobody'\n"
               "t.csv:1: the file's columns are observer, scene, condition_A, condition_B, "
@@ -280,7 +281,7 @@ TEST(ForeignTables, JsonOfJspsychIsReadAndTrialsOfOtherKindsAreCountedAloud) {
           welcome + "\n" + trials}) {
         const Tally read = tally(bytes, map);
         EXPECT_EQ(words(read),
-                  "1 people; blizzard - none: blizzard 1:0 none, 0 s; none - crytek: none 0:1 "
+                  "1 people; none - blizzard: none 0:1 blizzard, 0 s; none - crytek: none 0:1 "
                   "crytek, 1.455 s");
         EXPECT_THAT(read.notes,
                     ElementsAre("columns that are not read: stimulus",
@@ -292,6 +293,7 @@ TEST(ForeignTables, JsonOfJspsychIsReadAndTrialsOfOtherKindsAreCountedAloud) {
               HasSubstr("--map 'condition_B=stimulus[1]'"), HasSubstr("--map chosen=response")));
     EXPECT_THAT(refusal_of("[" + welcome + "]", map),
                 HasSubstr("there is no column 'stimulus[0]'"));
+    EXPECT_EQ(words(tally(replaced(kPlain, "observer", "[name]"), {"observer=[name]"})), kMeant);
     EXPECT_THAT(refusal_of("[1, 2]"),
                 HasSubstr("t.csv:1: '1, 2]' stands where JSON has an object"));
     EXPECT_THAT(refusal_of("[{\"a\": 1},\n{\"b\": tru}]"), HasSubstr("t.csv:2: '{\"b\": tru}'"));
@@ -306,7 +308,7 @@ TEST(ForeignTables, RowsThatAreEqualAndRepeatedVotesAreSaid) {
                                   HasSubstr("line 5"), HasSubstr("P01, hall: none - crytek"),
                                   HasSubstr("counts as a vote of its own"))));
     const Tally twice = tally(kPlain + "P02,yard,blizzard,crytek,1,2.832\n");
-    EXPECT_EQ(twice.conditions.at(2).votes.a, 2);
+    EXPECT_EQ(twice.conditions.at(2).votes.b, 2);
     EXPECT_THAT(twice.notes, ElementsAre(HasSubstr("1 vote is"),
                                          AllOf(HasSubstr("1 row is equal in every column"),
                                                HasSubstr("line 5; the first of them to line 4"))));

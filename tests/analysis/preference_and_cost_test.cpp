@@ -85,6 +85,31 @@ TEST(PreferenceAndCost, PrefersTheRowThatTheMeasurementSaysWasShown) {
     EXPECT_EQ(*joined.pairs[1].b.rmse, 0.15) << "neither another filter nor fitted";
 }
 
+TEST(PreferenceAndCost, KnowsAViewByTheStudysSceneAndASettingByItsSide) {
+    ReportInput input = two_conditions("");
+    for (ShownImage& image : input.images) {
+        image.scene_id = image.condition == "II" ? "left" : "right";
+        image.camera = "study";
+        image.validity = "high";
+        image.technique = "blizzard";
+        image.samples = 24;
+    }
+    input.measurement = parse_measurement(
+        "scene_id,scene,camera,validity,technique,samples,ms_median,rmse,published\n"
+        "left,yard,study,high,blizzard,24,1,0.1,II a\n"
+        "left,yard,study,high,blizzard,24,1,0.2,\"V a, II b\"\n"
+        "right,yard,study,high,blizzard,24,1,0.3,V b\n"
+        "right,yard,study,high,blizzard,24,1,0.4,V a\n",
+        "m.csv");
+    for (ConditionResult& result : input.analysis.conditions) result.condition.validity = "";
+    const PreferenceAndCost joined = preference_and_cost(input);
+    ASSERT_EQ(joined.pairs.size(), 2U);
+    EXPECT_EQ(*joined.pairs[0].a.rmse, 0.1);
+    EXPECT_EQ(*joined.pairs[0].b.rmse, 0.2);
+    EXPECT_EQ(*joined.pairs[1].a.rmse, 0.4);
+    EXPECT_EQ(*joined.pairs[1].b.rmse, 0.3);
+}
+
 TEST(PreferenceAndCost, NeverMixesDevices) {
     const ReportInput input = two_conditions(
         "atrium,nave,moderate,none,0,0,0.3,none,one,0,\n"

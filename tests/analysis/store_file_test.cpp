@@ -189,19 +189,24 @@ TEST_F(StoreFileTest, EachPageThatIsDamagedIsFoundWhenTheStoreIsOpened) {
     expect_refused_and_unchanged("is damaged");
 }
 
-/// What a program leaves beside the store that is killed in the middle of `work`.
-void killed_during(const std::function<void()>& work) {
+[[noreturn]] void be_killed() {
+    ::kill(::getpid(), SIGKILL);
+    std::abort();
+}
+
+/// What a program leaves beside the store that is killed within `work`.
+void in_a_program(const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
         work();
-        ::kill(::getpid(), SIGKILL);
+        ::_exit(0);
     }
     ::waitpid(child, nullptr, 0);
 }
 
 TEST_F(StoreFileTest, TheLogOfAnEarlierVersionIsFoldedInWhenTheStoreIsOpenedForWriting) {
     { const Store store(url(), Store::Access::kReadWrite); }
-    killed_during([&] {
+    in_a_program([&] {
         Database earlier(url(), false);
         earlier.execute("PRAGMA journal_mode = WAL");
         Store store(url(), Store::Access::kReadOnly);  // which leaves the mode as it is
@@ -210,6 +215,7 @@ TEST_F(StoreFileTest, TheLogOfAnEarlierVersionIsFoldedInWhenTheStoreIsOpenedForW
             "INSERT INTO events (time_utc, name, detail) VALUES ('2026-05-01T12:00:00Z', 'an "
             "event', '')");
         transaction.commit();
+        be_killed();
     });
     ASSERT_TRUE(fs::exists(file.string() + "-wal"));
     fs::copy_file(file, folder / "before.sqlite");
@@ -229,7 +235,7 @@ TEST_F(StoreFileTest, TheLogOfAnEarlierVersionIsFoldedInWhenTheStoreIsOpenedForW
 TEST_F(StoreFileTest, AnAnswerCutOffInTheMiddleIsTakenBackWhenTheStoreIsOpened) {
     { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
     for (const auto access : {Store::Access::kReadWrite, Store::Access::kReadOnly}) {
-        killed_during([&] {
+        in_a_program([&] {
             Database database(url(), false);
             database.execute("PRAGMA cache_size = 1");  // so that pages go to the file early
             const Transaction transaction(database);
@@ -238,6 +244,7 @@ TEST_F(StoreFileTest, AnAnswerCutOffInTheMiddleIsTakenBackWhenTheStoreIsOpened) 
                     "INSERT INTO events (time_utc, name, detail) VALUES ('2026-05-01T12:00:00Z', "
                     "'half an answer', 'which no call acknowledged')");
             }
+            be_killed();
         });
         ASSERT_TRUE(fs::exists(file.string() + "-journal"));
         Store store(url(), access);

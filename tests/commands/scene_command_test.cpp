@@ -38,6 +38,23 @@ TEST(SceneCommand, ExportWritesAFileThatInspectReads) {
     EXPECT_THAT(made.err + made.out, HasSubstr("tone mapping"));
 }
 
+TEST(SceneCommand, FilesOutsideTheScenesFolderAreReadOnlyWhereAllowed) {
+    const tests::TemporaryFolder folder;
+    base::write_file_atomically(folder / "scene/triangle.obj",
+                                "mtllib ../more/red.mtl\n" + std::string(kTriangle));
+    base::write_file_atomically(folder / "more/red.mtl", "newmtl red\nKd 1 0 0\n");
+    const ProgramRun closed = run_program(folder, "scene inspect scene/triangle.obj");
+    EXPECT_EQ(closed.exit_code, 0) << closed.err;
+    EXPECT_THAT(closed.out, HasSubstr("--allow FOLDER"));
+    for (const char* arguments : {"--allow more scene inspect scene/triangle.obj",
+                                  "scene inspect --allow scene --allow more scene/triangle.obj"}) {
+        const ProgramRun open = run_program(folder, arguments);
+        EXPECT_EQ(open.exit_code, 0) << open.err;
+        EXPECT_THAT(open.out, HasSubstr("red: albedo 1 0 0")) << arguments;
+    }
+    EXPECT_EQ(run_program(folder, "scene inspect scene/triangle.obj --allow nowhere").exit_code, 2);
+}
+
 TEST(SceneCommand, WhatCannotBeReadEndsInAMessageAndLeavesNoFile) {
     const tests::TemporaryFolder folder;
     base::write_file_atomically(folder / "bad.glb", "glTF");

@@ -162,6 +162,29 @@ TEST(BadScene, NormalsThatAreNoDirectionAreMadeAnew) {
     }
 }
 
+TEST(BadScene, ExtensionsThatLeaveGeometryOutSayThatInTheseWords) {
+    GlbMaker glb = triangle_glb();
+    glb.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
+                                  "KHR_materials_dispersion"};
+    const std::vector<std::string> notes = glb.import().notes;
+    EXPECT_THAT(notes, Contains(HasSubstr("geometry is left out: EXT_mesh_gpu_instancing")));
+    EXPECT_THAT(notes, Contains(HasSubstr("geometry is left out: KHR_draco_mesh_compression")));
+    EXPECT_THAT(notes, Contains(HasSubstr("left out: KHR_materials_dispersion")));
+}
+
+TEST(BadScene, AMeshWhosePositionsAreCompressedIsLeftOutWithANote) {
+    GlbMaker glb = triangle_glb();
+    Json bare = primitive_of(glb.json);
+    glb.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 3}});
+    bare["attributes"] = {{"POSITION", glb.json["accessors"].size() - 1}};
+    glb.json["meshes"][0]["primitives"].push_back(bare);
+    const ImportedScene imported = glb.import();
+    EXPECT_EQ(imported.scene.triangle_count(), 1U);
+    EXPECT_THAT(imported.notes,
+                Contains(HasSubstr("geometry is left out: the file has no positions "
+                                   "of it, or only compressed ones: meshes[0]")));
+}
+
 TEST(BadScene, ATextureThatIsMissingBecomesAMarkedCheckerboard) {
     GlbMaker glb = triangle_glb();
     glb.json["images"] = {{{"uri", "none.png"}}};

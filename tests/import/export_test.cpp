@@ -159,8 +159,7 @@ std::vector<std::uint8_t> image_of(Renderer& renderer, const Scene& scene, const
                                    const Lighting& lighting) {
     const TechniqueChoice choice{"blizzard", 24, {}, "separable"};
     const GpuScene gpu(scene);
-    const FramePlan plan = plan_frame(needs_of(scene, lighting), choice, 160, 90);
-    return renderer.render(gpu, lighting, camera, choice, plan).read_display();
+    return renderer.render({gpu, lighting, camera}, choice, 160, 90).read_display();
 }
 
 TEST(ExportImage, ImportingAgainGivesTheSameImageWithinRounding) {

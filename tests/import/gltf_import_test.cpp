@@ -117,12 +117,12 @@ TEST(GltfImport, ASkinnedMeshStandsInThePoseOfItsJointsWhateverItsOwnNodeSays) {
 
 TEST(GltfImport, TrianglesThatTurnAgainstTheirNormalsAreNoted) {
     GlbMaker glb = triangle_glb();
-    EXPECT_THAT(glb.import().notes, testing::Not(Contains(HasSubstr("point to their back"))));
+    EXPECT_THAT(glb.import().notes, testing::Not(Contains(HasSubstr("points to their back"))));
     Scene scene = glb.import().scene;
     std::swap(scene.meshes[0].indices[0], scene.meshes[0].indices[1]);
     const import_detail::Sides sides = import_detail::sides_of(scene.meshes[0]);
     EXPECT_EQ(sides.with_area, 1U);
-    EXPECT_EQ(sides.against_normals, 1U);
+    EXPECT_EQ(sides.with_turned_normal, 1U);
 }
 
 TEST(GltfImport, MissingTangentsPointAlongUAndTheBitangentUpInTheImage) {

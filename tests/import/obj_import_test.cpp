@@ -141,11 +141,13 @@ TEST(ObjImport, EachMistakeIsRefusedAtItsLine) {
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n"), HasSubstr("square.obj:3: "));
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 1e38\nf 1 2 3\n"), HasSubstr(":3: "));
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 1e20\nf 1 2 3\n"), HasSubstr("scale right"));
-    EXPECT_THAT(refusal_of("v 0 0\n"), HasSubstr(":1: v has 2 numbers"));
+    EXPECT_THAT(refusal_of("v 0 0\n"), HasSubstr(":1: \"v 0 0\": a position wants three"));
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
                 HasSubstr(":4: \"4\" is no index of a vertex"));
-    EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n"),
-                HasSubstr("texture coordinate"));
+    EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n"),
+                HasSubstr("from 1 on, or from -1 to -3"));
+    EXPECT_THAT(refusal_of("f 1 2 -1\nv 0 0 0\n"),
+                testing::EndsWith("wanted is a number from 1 on"));
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nf 1 2\n"), HasSubstr("a face of 2 corners"));
     EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), HasSubstr("\"0\" is no index"));
     EXPECT_THAT(refusal_of(""), HasSubstr("no faces"));

@@ -84,10 +84,7 @@ class ShownStudy {
                 image.source = "relic";
                 image.camera = "front";
                 image.validity = "low";
-                image.technique = choice.technique;
-                image.samples = choice.samples;
-                image.parameters = choice.parameters;
-                image.denoise = choice.denoise;
+                image.variant = choice;
                 image.width = kWidth;
                 image.height = kHeight;
                 image.inputs_sha256 = image.sha256;

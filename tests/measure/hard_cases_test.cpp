@@ -45,26 +45,94 @@ TEST_F(HardCases, AValueThatIsNotANumberNeverHolds) {
     std::vector<HardCaseResult> rows;
     const HardCaseOptions options = small_options();
     Bench bench(options, rows);
-    bench.begin(planes_case());
-    bench.expect("crytek", "nothing", 1.0, std::nan(""), 1e9);
-    bench.expect("crytek", "near", 1.0, 1.1, 0.2, "a reason that is not needed");
-    bench.expect("crytek", "far", 1.0, 1.3, 0.2, "the reason");
+    bench.expect("nothing", 1.0, std::nan(""), 1e9);
     EXPECT_EQ(rows[0].outcome, Outcome::kFails);
-    EXPECT_EQ(rows[1].outcome, Outcome::kHolds);
-    EXPECT_EQ(rows[1].note, "");
-    EXPECT_EQ(rows[2].outcome, Outcome::kByNature);
-    EXPECT_EQ(rows[2].note, "the reason");
+}
+
+TEST_F(HardCases, OnlyAnImageThatIsAsDefinedIsExcusedByItsNature) {
+    std::vector<HardCaseResult> rows;
+    const HardCaseOptions options = small_options();
+    Bench bench(options, rows);
+    const auto outcome = [&](double measured, bool as_defined, const char* nature) {
+        bench.expect("A", 1.0, {measured, 0.7, as_defined}, 0.2, nature);
+        return rows.back().outcome;
+    };
+    EXPECT_EQ(outcome(1.1, true, "a reason that is not needed"), Outcome::kHolds);
+    EXPECT_EQ(rows.back().note, "");
+    EXPECT_EQ(outcome(0.7, true, "the reason"), Outcome::kByNature);
+    EXPECT_EQ(rows.back().note, "the reason");
+    EXPECT_EQ(outcome(0.7, true, ""), Outcome::kFails) << "no reason is known";
+    EXPECT_EQ(outcome(0.3, false, "the reason"), Outcome::kFails) << "the shader is wrong";
+    EXPECT_EQ(rows.back().definition, 0.7);
+}
+
+TEST_F(HardCases, HoldEachTechniqueAndFilterAgainstItsDefinitionInEveryCase) {
+    HardCaseOptions options = small_options();
+    options.cases = {4, 11};
+    std::set<std::string> held;
+    for (const HardCaseResult& row : run_hard_cases(options)) {
+        if (row.against == Against::kDefinition) held.insert(row.technique + ' ' + row.quantity);
+    }
+    for (const Technique& technique : techniques()) {
+        if (!technique.model) continue;
+        for (const char* of : {"A", "box4: A", "separable: A"}) {
+            EXPECT_TRUE(held.contains(technique.name + ' ' + of +
+                                      " at the pixel farthest from its definition"))
+                << technique.name << ", " << of;
+        }
+    }
+}
+
+TEST_F(HardCases, ATimeThatIsTooBusyToTellIsNotDecidedAndTheWorkIsCounted) {
+    HardCaseOptions options = small_options();
+    options.cases = {5};
+    options.techniques = {"raymarch"};
+    options.timing = true;
+    bool timed = false;
+    bool counted = false;
+    for (const HardCaseResult& row : run_hard_cases(options)) {
+        if (row.quantity == "largest growth of the time when 1.6 times nearer") {
+            timed = true;
+            EXPECT_NE(row.outcome, Outcome::kFails) << row.measured;
+            EXPECT_NE(row.outcome, Outcome::kByNature);
+        }
+        if (row.quantity.starts_with("look-ups of the depth buffer by a pixel")) {
+            counted = true;
+            EXPECT_EQ(row.note, "120 of 153 texture reads") << "30 directions of 4 steps";
+        }
+    }
+    EXPECT_TRUE(timed);
+    EXPECT_TRUE(counted);
 }
 
 TEST_F(HardCases, ValuesOutsideZeroToOneAreFound) {
     std::vector<HardCaseResult> rows;
     const HardCaseOptions options = small_options();
     Bench bench(options, rows);
-    bench.begin(odd_sizes_case());
-    Shot shot{2, 1, {1.0F, 1.0F}, {std::nanf(""), 1.5F}, {0.5F, -0.1F}, 0.0};
-    bench.expect_sound("crytek", "two pixels", shot);
+    const Shot shot{.width = 2,
+                    .height = 1,
+                    .depth_m = {1.0F, 1.0F},
+                    .accessibility = {std::nanf(""), 1.5F},
+                    .denoised = {0.5F, -0.1F}};
+    bench.expect_sound("two pixels", shot);
     EXPECT_EQ(rows[0].measured, 3.0);
     EXPECT_EQ(rows[0].outcome, Outcome::kFails);
+}
+
+TEST(Agreement, CountsPixelsBeyondWhatSinglePrecisionAllowsAndNamesTheWorst) {
+    const std::vector<std::optional<Admitted>> admitted{
+        Admitted{0.5, 0.4, 0.5}, Admitted{0.5, 0.5, 0.5}, std::nullopt, Admitted{1.0, 1.0, 1.0}};
+    const auto of = [&](std::vector<float> measured) {
+        return agreement_of(admitted, measured, 2, "image");
+    };
+    EXPECT_EQ(of({0.45F, 0.5F, 0.0F, 1.0F}).off, 0U);
+    EXPECT_EQ(of({0.45F, 0.5F, 0.0F, 1.0F}).pixels, 3U);
+    EXPECT_EQ(of({0.45F, 0.5F, 0.0F, 1.0F}).uncertain, 1U);
+    EXPECT_EQ(of({0.55F, 0.5F, 0.0F, 1.0F}).off, 1U) << "only lower values are allowed";
+    const Agreement worst = of({0.55F, 0.5F, 0.0F, 0.8F});
+    EXPECT_EQ(worst.off, 2U);
+    EXPECT_EQ(worst.worst.where, "image, pixel 1, 1");
+    EXPECT_EQ(of({0.5F, std::nanf(""), 0.0F, 0.8F}).worst.where, "image, pixel 1, 0");
 }
 
 TEST_F(HardCases, AnUnknownTechniqueIsRefused) {

@@ -186,6 +186,7 @@ TEST(Minimise, PassesOnTheErrorOfItsFunctionAndRefusesRangesThatAreNone) {
 MeasurementRow row_of(const std::string& technique, const std::string& variant, int samples,
                       double ms, double rmse) {
     MeasurementRow row;
+    row.scene_id = "atrium-high";
     row.scene = "atrium";
     row.camera = "nave";
     row.validity = "high";
@@ -218,22 +219,22 @@ TEST(MeasurementRows, HaveTheColumnsThatOthersRelyOnFirst) {
     const auto records = parse_csv(measurement_csv(three_rows()), "measure.csv");
     ASSERT_EQ(records.size(), 4U);
     const std::vector<std::string> fixed{
-        "scene",    "camera",       "validity",  "technique", "samples",        "blur",
-        "ao_scale", "depth_format", "noise",     "width",     "height",         "device",
-        "fitted",   "ms_min",       "ms_median", "ms_p95",    "fetches_per_px", "rmse",
-        "bias",     "mae",          "p99",       "psnr_db",   "nonfinite",      "on_front"};
+        "scene_id", "scene",        "camera",    "validity",       "technique", "samples", "blur",
+        "ao_scale", "depth_format", "noise",     "width",          "height",    "device",  "fitted",
+        "ms_min",   "ms_median",    "ms_p95",    "fetches_per_px", "rmse",      "bias",    "mae",
+        "p99",      "psnr_db",      "nonfinite", "on_front"};
     const auto& header = records[0].fields;
     ASSERT_GE(header.size(), fixed.size());
     EXPECT_TRUE(std::equal(fixed.begin(), fixed.end(), header.begin()));
-    EXPECT_EQ(records[1].fields[11], "a \"device\", 2 cores");
-    EXPECT_EQ(records[1].fields[17], "0.2");
+    EXPECT_EQ(records[1].fields[12], "a \"device\", 2 cores");
+    EXPECT_EQ(records[1].fields[18], "0.2");
 }
 
 TEST(MeasurementRows, WithoutAnErrorHaveEmptyCellsAndAReason) {
     std::vector<MeasurementRow> rows{three_rows()[0]};
     rows[0].error = Possible<AccessibilityError>::none("nothing is to be seen");
     const auto records = parse_csv(measurement_csv(rows), "measure.csv");
-    EXPECT_EQ(records[1].fields[17], "");
+    EXPECT_EQ(records[1].fields[18], "");
     const auto json = nlohmann::json::parse(measurement_json(rows));
     EXPECT_TRUE(json[0]["rmse"].is_null());
     EXPECT_EQ(json[0]["rmse_reason"], "nothing is to be seen");
@@ -271,16 +272,29 @@ TEST(OrderOfTechniques, IsReadFromTheErrorsAndSaidPlainly) {
 
 TEST(HardCaseTables, CountAndQuoteEveryRow) {
     const std::vector<HardCaseRow> rows{
-        {"1 planes", "crytek", "A, tilted", 1.0, 0.75, 0.005, Holds::kByNature, "its \"nature\""},
+        {"1 planes", "crytek", "A, tilted", 1.0, 0.75, 0.005, Holds::kByNature, "its \"nature\"",
+         HeldAgainst::kTruth, 0.5},
+        {"1 planes", "crytek", "A", 0.5, 0.5, 0.0, Holds::kYes, "", HeldAgainst::kDefinition, 0.5},
+        {"5 close-up", "crytek", "time", 1.0, 3.0, 1.0, Holds::kUndecided, ""},
         {"6 not a number", "blizzard", "A", 0.0, std::nan(""), 0.0, Holds::kNo, ""},
         {"8 background", "blizzard", "A", 1.0, 1.0, 0.0, Holds::kYes, ""}};
     const auto records = parse_csv(hard_cases_csv(rows), "hard-cases.csv");
-    EXPECT_THAT(records[0].fields, testing::ElementsAre("case", "technique", "quantity", "expected",
-                                                        "measured", "tolerance", "holds", "note"));
+    EXPECT_THAT(
+        records[0].fields,
+        testing::ElementsAre("case", "technique", "quantity", "expected", "measured", "tolerance",
+                             "holds", "note", "against", "definition", "by_nature", "numerical"));
     EXPECT_EQ(records[1].fields[6], "by nature");
-    EXPECT_EQ(records[2].fields[4], "nan");
+    EXPECT_THAT(std::vector(records[1].fields.begin() + 8, records[1].fields.end()),
+                testing::ElementsAre("truth", "0.5", "0.5", "-0.25"));
+    EXPECT_EQ(records[2].fields[8], "definition");
+    EXPECT_EQ(records[3].fields[6], "not decided");
+    EXPECT_EQ(records[3].fields[9], "");
+    EXPECT_EQ(records[4].fields[4], "nan");
     const HardCaseCount count = count_of(rows);
-    EXPECT_EQ(count.yes, 1U);
+    EXPECT_EQ(count.yes, 2U);
+    EXPECT_EQ(count.undecided, 1U);
+    EXPECT_EQ(count.numerical, 1U);
+    EXPECT_EQ(count.numerical_holding, 1U);
     EXPECT_EQ(count.by_nature, 1U);
     EXPECT_EQ(count.no, 1U);
 }
@@ -301,6 +315,7 @@ TEST(Reports, HoldEveryTableAndOnePageThatStandsAlone) {
     report.title = "Speed against error";
     report.device = "a device";
     report.blur = "separable";
+    report.asks_order = true;
     report.rows = three_rows();
     report.hard_cases = {{"1 planes", "crytek", "A", 1.0, 1.0, 0.0, Holds::kYes, ""}};
     report.maps = {{"error-map", "a map", 3, 2, {0.0F, 0.1F, -0.1F, 0.2F, NAN, 0.0F}, 0.5}};

@@ -34,9 +34,7 @@ class ReferenceFrame : public testing::Test {
         const auto traced = [&](const Camera& view, int w, int h, const TechniqueChoice& wanted) {
             return reference.trace(view, w, h, reference_options(wanted)).accessibility;
         };
-        return renderer_.render(gpu, lighting, camera, choice,
-                                plan_frame(needs_of(scene, lighting), choice, width, height),
-                                traced);
+        return renderer_.render({gpu, lighting, camera, {}, traced}, choice, width, height);
     }
 
     HeadlessContext context_;
@@ -125,8 +123,7 @@ TEST_F(ReferenceFrame, WithoutARayTracerIsAFailureAndNotABlankImage) {
     const GpuScene gpu(scene);
     const Lighting lighting;
     const TechniqueChoice choice = reference_choice();
-    EXPECT_THROW((void)renderer_.render(gpu, lighting, tests::forward_camera(), choice,
-                                        plan_frame(needs_of(scene, lighting), choice, 8, 8)),
+    EXPECT_THROW((void)renderer_.render({gpu, lighting, tests::forward_camera()}, choice, 8, 8),
                  base::Error);
 }
 

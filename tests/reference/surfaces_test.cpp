@@ -167,5 +167,32 @@ TEST(ReferenceSurfaces, DirectionsBelowTheSurfaceOfATurnedNormalAreOccluded) {
     EXPECT_NEAR(tests::mean_of(image.accessibility), wedge(std::numbers::pi - turn), 1e-3);
 }
 
+// Vertex normals that point into the floor (some writers turn them round): the truth is that of the
+// same normals outwards, from either side of the floor, and not that nothing is open.
+TEST(ReferenceSurfaces, NormalsOnTheWrongSideOfTheirFaceAreTurnedTowardsTheCamera) {
+    for (const float side : {1.0F, -1.0F}) {
+        View view;
+        view.camera.position_m = {0.3F, 0.3F * side, 0.0F};
+        view.camera.target_m = {0.0F, 0.0F, 0.0F};
+        view.camera.vertical_fov_rad = 0.01F;
+        add_floor(view.scene, -20.0, 40.0);
+        Material both_sides;
+        both_sides.double_sided = true;
+        view.scene.materials = {both_sides};
+        ReferenceOptions options = rays_within(1.0, 256);
+        options.normal = NormalKind::kShading;
+        std::vector<std::vector<float>> images;
+        for (const float turned : {1.0F, -1.0F}) {
+            for (Vertex& vertex : view.scene.meshes[0].vertices) {
+                vertex.normal = turned * glm::vec3(0.6F, 0.8F, 0.0F);
+            }
+            images.push_back(
+                ReferenceScene(view.scene).trace(view.camera, 4, 4, options).accessibility);
+        }
+        EXPECT_EQ(images[0], images[1]) << side;
+        EXPECT_NEAR(tests::mean_of(images[1]), wedge(std::numbers::pi - std::acos(0.8)), 5e-3);
+    }
+}
+
 }  // namespace
 }  // namespace obscura::renderer

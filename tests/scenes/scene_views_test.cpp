@@ -27,10 +27,9 @@ void expect_full_views(const BuiltinScene& entry, Validity level) {
     const renderer::GpuScene on_gpu(scene);
     renderer::TechniqueChoice choice;
     choice.technique = "none";
-    const renderer::FramePlan plan =
-        renderer::plan_frame(renderer::needs_of(scene, light), choice, kWidth, kHeight, {});
     for (const renderer::Camera& camera : scene.cameras) {
-        const auto image = renderer.render(on_gpu, light, camera, choice, plan).read_display();
+        const auto image =
+            renderer.render({on_gpu, light, camera}, choice, kWidth, kHeight).read_display();
         ASSERT_EQ(image.size(), 3U * kWidth * kHeight);
         std::set<std::tuple<int, int, int>> colours;
         int black = 0;

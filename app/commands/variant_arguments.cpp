@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/variant_arguments.h"
+
+#include <charconv>
+#include <set>
+
+#include "renderer/base/error.h"
+#include "renderer/technique/technique.h"
+
+namespace obscura::app {
+namespace {
+
+/// Sets an option of every variant to a word, or a parameter to a number.
+void set(renderer::Variant& variant, const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    const std::string key = setting.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
+    if (const renderer::VariantOption* option = renderer::find_option(key)) {
+        variant.*option->value = value;
+        return;
+    }
+    const char* const end = value.data() + value.size();
+    double number = 0.0;
+    const auto [rest, error] = std::from_chars(value.data(), end, number);
+    if (key.empty() || error != std::errc() || rest != end) {
+        throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
+    }
+    variant.parameters[key] = number;
+}
+
+bool has_an_option_of_its_own(const std::string& key) {
+    return key == "technique" || key == "samples" || key == "denoise";
+}
+
+}  // namespace
+
+void add_variant_options(CLI::App& app, VariantArguments& arguments) {
+    app.add_option("--technique", arguments.technique, "See below");
+    app.add_option("--samples", arguments.samples,
+                   "Samples, or rays, a pixel (default: the technique's)");
+    app.add_option("--set", arguments.settings,
+                   "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
+        ->allow_extra_args(false);
+    app.add_option("--denoise", arguments.denoise, "Filter")->capture_default_str();
+}
+
+renderer::Variant variant_from(const VariantArguments& arguments) {
+    renderer::Variant variant;
+    variant.technique = arguments.technique;
+    variant.denoise = arguments.denoise;
+    if (const renderer::Technique* technique = renderer::find_technique(arguments.technique)) {
+        variant.samples = arguments.samples.value_or(technique->samples.standard);
+    }
+    std::set<std::string> seen;
+    for (const std::string& setting : arguments.settings) {
+        const std::string key = setting.substr(0, setting.find('='));
+        set(variant, setting);
+        if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
+    }
+    std::string all;
+    for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
+        all += fmt::format("{}{}{}: {}", all.empty() ? "" : "\n",
+                           has_an_option_of_its_own(problem.key) ? "--" : "--set ", problem.key,
+                           problem.message);
+    }
+    if (!all.empty()) throw base::bad_input("{}", all);
+    return variant;
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/technique/variant.h"
+
+namespace obscura::app {
+
+/// A variant as a command line says it.
+struct VariantArguments {
+    std::string technique;
+    std::optional<int> samples;         ///< the technique's standard
+    std::vector<std::string> settings;  ///< KEY=VALUE of parameters and options
+    std::string denoise = "none";
+};
+
+/// --technique, --samples, --set and --denoise.
+void add_variant_options(CLI::App& app, VariantArguments& arguments);
+
+/// Throws bad input naming every option that is wrong, with its value and what is allowed.
+[[nodiscard]] renderer::Variant variant_from(const VariantArguments& arguments);
+
+}  // namespace obscura::app

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <string_view>
+
+namespace obscura::renderer {
+
+/// How the texels of a buffer are stored.
+struct Format {
+    const char* name;  ///< as a Buffer says it
+    std::size_t bytes_per_texel;
+    GLenum internal;
+    GLenum format;  ///< of its stored bytes
+    GLenum type;
+};
+
+/// Throws failure naming those there are.
+[[nodiscard]] const Format& format_of(std::string_view name);
+
+}  // namespace obscura::renderer

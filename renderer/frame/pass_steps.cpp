@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/job.h"
+
+namespace obscura::renderer {
+namespace {
+
+constexpr GLfloat kOpen[] = {1.0F, 1.0F, 1.0F, 1.0F};
+
+std::string sampler_of(const std::string& name) {
+    std::string sampler = "t_" + name;
+    std::replace(sampler.begin(), sampler.end(), ' ', '_');
+    return sampler;
+}
+
+/// While it lives, a texture that is drawn into is seen at one level only: the one above.
+class LevelAbove {
+  public:
+    LevelAbove(GLuint texture, int level, int levels) : texture_(texture), levels_(levels) {
+        glTextureParameteri(texture_, GL_TEXTURE_BASE_LEVEL, level - 1);
+        glTextureParameteri(texture_, GL_TEXTURE_MAX_LEVEL, level - 1);
+    }
+    ~LevelAbove() {
+        glTextureParameteri(texture_, GL_TEXTURE_BASE_LEVEL, 0);
+        glTextureParameteri(texture_, GL_TEXTURE_MAX_LEVEL, levels_ - 1);
+    }
+    LevelAbove(const LevelAbove&) = delete;
+    LevelAbove& operator=(const LevelAbove&) = delete;
+
+  private:
+    GLuint texture_;
+    int levels_;
+};
+
+}  // namespace
+
+void Renderer::attach_step(Job& job, const PlannedPass& pass, int level, int layer) {
+    const PlannedTarget& target = *job.plan.find(pass.writes.front());
+    if (pass.step->cover == Cover::kSurfaces) {
+        const std::string visibility = job.plan.seen_by_technique(Target::kVisibility);
+        attach(job, {target.name}, visibility);
+        glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kOpen);
+        return;
+    }
+    attach(job, {target.name}, std::nullopt);
+    const GLuint texture = job.frame.texture(target.name);
+    if (target.layers > 1) {
+        glNamedFramebufferTextureLayer(framebuffer_.name(), GL_COLOR_ATTACHMENT0, texture, level,
+                                       layer);
+    } else {
+        glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, texture, level);
+    }
+    job.size = {std::max(1, target.width >> level), std::max(1, target.height >> level)};
+    glViewport(0, 0, job.size.x, job.size.y);
+}
+
+void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,
+                        int layer) {
+    job.set_view(program);
+    program.set("u_far_m", job.camera.far_m);
+    program.set("u_level", level);
+    program.set("u_layer", layer);
+    program.set("u_frame", pass.frame);
+    for (const auto& [name, value] : job.plan.parameters) {
+        program.set(("p_" + name).c_str(), static_cast<float>(value));
+    }
+    int unit = 0;
+    const auto bind_read = [&](const std::string& name, GLuint texture) {
+        const std::string sampler = sampler_of(name);
+        if (!program.has(sampler)) {
+            mismatches_.insert("step " + pass.name + " names " + sampler + ", which " +
+                               program.name() + " does not read");
+        }
+        bind(program, sampler.c_str(), texture, unit++);
+    };
+    for (const Read& read : pass.reads) bind_read(read.as, job.frame.texture(read.name));
+    for (const Table& table : pass.tables) bind_read(table.name, texture_of(table).name());
+}
+
+gl::Program& Renderer::step_program(const Step& step) {
+    return program("passes/full_screen.vert.glsl", step.shader, step.defines);
+}
+
+void Renderer::run_step(Job& job, const PlannedPass& pass) {
+    const Step& step = *pass.step;
+    const PlannedTarget& target = *job.plan.find(pass.writes.front());
+    gl::Program& shader = step_program(step);
+    const bool reads_itself =
+        std::any_of(pass.reads.begin(), pass.reads.end(),
+                    [&target](const Read& read) { return read.name == target.name; });
+    for (int level = step.first_level; level < step.end_level(target.levels); ++level) {
+        std::optional<LevelAbove> above;
+        if (reads_itself) above.emplace(job.frame.texture(target.name), level, target.levels);
+        for (int layer = 0; layer < target.layers; ++layer) {
+            attach_step(job, pass, level, layer);
+            set_step(job, shader, pass, level, layer);
+            full_screen(shader, step.cover == Cover::kSurfaces ? GL_GREATER : GL_ALWAYS);
+        }
+    }
+}
+
+}  // namespace obscura::renderer

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "renderer/base/check.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/frame/format.h"
+#include "renderer/frame/plan.h"
+
+namespace obscura::renderer {
+namespace {
+
+/// Adds passes and, with them, the buffers that they write.
+class Planner {
+  public:
+    Planner(const SceneNeeds& needs, const Technique& technique, const Variant& variant,
+            const FrameOptions& options, int width, int height)
+        : depth_format_(variant.depth_format),
+          technique_(technique),
+          recipe_(technique.recipe ? technique.recipe(variant) : Recipe{}),
+          filter_(find_denoise(variant.denoise)->recipe),
+          accessibility_(technique.makes_accessibility()) {
+        plan_.width = width * options.supersampling;
+        plan_.height = height * options.supersampling;
+        plan_.image_width = width;
+        plan_.image_height = height;
+        plan_.options = options;
+        plan_.needs = needs;
+        plan_.variant = variant;
+        for (const Parameter& parameter : technique.parameters) {
+            plan_.parameters[parameter.name] = variant.value_of(parameter);
+        }
+        plan_.technique_reads_depth = accessibility_ && recipe_.reads(Target::kDepth);
+        plan_.makes_colour = technique.output == Output::kColour;
+    }
+
+    void plan_geometry();
+    void plan_shadow();
+    void plan_accessibility();
+    void plan_light();
+    void plan_image();
+
+    FramePlan take() { return std::move(plan_); }
+
+  private:
+    void pass(Phase phase, std::vector<Read> reads, const std::vector<Buffer>& writes) {
+        PlannedPass planned{phase, to_string(phase), std::move(reads), {}};
+        for (const Buffer& buffer : writes) planned.writes.push_back(add(buffer));
+        plan_.passes.push_back(std::move(planned));
+    }
+
+    void leave_out(std::string what, std::string why) {
+        plan_.left_out.push_back({std::move(what), std::move(why)});
+    }
+
+    /// Plans a buffer once and gives its name.
+    const std::string& add(const Buffer& buffer);
+    void plan_occluders();
+    /// The steps of a recipe, as often as it has frames.
+    void plan_steps(const Recipe& recipe, Phase phase);
+    void plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame);
+    /// What a recipe's words mean in this plan. Throw failure for what there is not.
+    [[nodiscard]] Buffer written_by(const Recipe& recipe, const Step& step) const;
+    [[nodiscard]] std::string read_by(const Recipe& recipe, const std::string& name) const;
+
+    const SceneNeeds& needs() const { return plan_.needs; }
+    [[nodiscard]] bool lit() const { return needs().environment || needs().direct_light(); }
+    /// Whether the technique runs on fewer pixels than the other passes.
+    [[nodiscard]] bool once_a_pixel() const {
+        return accessibility_ && plan_.options.supersampling > 1;
+    }
+    [[nodiscard]] bool occluders() const { return once_a_pixel() || plan_.blended_occlude(); }
+    [[nodiscard]] bool denoised() const { return accessibility_ && !filter_.steps.empty(); }
+
+    const std::string depth_format_;
+    const Technique& technique_;
+    const Recipe recipe_;
+    const Recipe& filter_;
+    const bool accessibility_;
+    std::vector<Buffer> light_;  ///< that the light pass writes
+    FramePlan plan_;
+};
+
+const std::string& Planner::add(const Buffer& buffer) {
+    if (const PlannedTarget* known = plan_.find(buffer)) return known->name;
+    PlannedTarget planned{buffer};
+    const bool samples = buffer.extent == Extent::kSamples;
+    const auto scaled = [&buffer](int size) {
+        return std::max(1, static_cast<int>(std::ceil(static_cast<float>(size) * buffer.scale)));
+    };
+    planned.width = scaled(samples ? plan_.width : plan_.image_width);
+    planned.height = scaled(samples ? plan_.height : plan_.image_height);
+    if (buffer.is(Target::kDepth) || buffer.is(Target::kOccluderDepth)) {
+        planned.format = depth_format_;
+    }
+    if (buffer.is(Target::kShadow)) {
+        planned.width = planned.height = needs().shadow_size;
+        planned.layers = needs().lights;
+    }
+    if (buffer.is(Target::kPointShadow)) {
+        planned.width = planned.height = needs().point_shadow_size;
+        planned.layers = 6 * needs().point_lights;
+    }
+    const int longest = std::max(planned.width, planned.height);
+    planned.levels =
+        std::min(buffer.levels, static_cast<int>(std::bit_width(static_cast<unsigned>(longest))));
+    for (int level = 0; level < planned.levels; ++level) {
+        planned.bytes += format_of(planned.format).bytes_per_texel *
+                         static_cast<std::size_t>(std::max(1, planned.width >> level)) *
+                         static_cast<std::size_t>(std::max(1, planned.height >> level)) *
+                         static_cast<std::size_t>(planned.layers);
+    }
+    plan_.targets.push_back(std::move(planned));
+    return plan_.targets.back().name;
+}
+
+void Planner::plan_geometry() {
+    const bool all = plan_.options.all_buffers;
+    // Where the technique runs once a pixel, samples find their pixel by depth.
+    const bool depth = all || once_a_pixel() || recipe_.reads(Target::kDepth) ||
+                       (denoised() && filter_.reads(Target::kDepth)) || needs().direct_light();
+    const bool read_normal = recipe_.reads(Target::kNormal);
+    const bool normal = all || (read_normal && !once_a_pixel()) || lit();
+    std::vector<Buffer> writes{Target::kVisibility, Target::kAlbedo};
+    if (normal) writes.push_back(Target::kNormal);
+    if (depth) writes.push_back(Target::kDepth);
+    if (needs().emission) writes.push_back(Target::kEmission);
+    pass(Phase::kGeometry, {}, writes);
+    if (!normal) {
+        leave_out("normal", read_normal ? "the light reads none, and the technique has its own"
+                                        : "neither the technique nor the light reads it");
+    }
+    if (!depth) leave_out("depth", "neither the technique nor a light reads it");
+    if (!needs().emission) {
+        leave_out("emission", "no material sends out light or has baked accessibility");
+    }
+    if (!needs().normal_mapping) leave_out("normal mapping", "the scene asks for none");
+    if (!needs().textures) leave_out("albedo texture fetch", "no material has a texture");
+    if (!needs().roughness) {
+        leave_out("roughness texture fetch", "no material or no light has any use for it");
+    }
+    if (!needs().cut_out) leave_out("cut-out test", "no material has holes");
+}
+
+void Planner::plan_shadow() {
+    std::vector<Buffer> writes;
+    if (needs().lights > 0) writes.push_back(Target::kShadow);
+    if (needs().point_lights > 0) writes.push_back(Target::kPointShadow);
+    if (!writes.empty()) pass(Phase::kShadow, {}, writes);
+    if (needs().lights == 0) leave_out("shadow", "the scene has no directional light");
+    if (needs().point_lights == 0) leave_out("point shadow", "the scene has no point light");
+}
+
+void Planner::plan_occluders() {
+    if (!occluders()) {
+        leave_out("occluders", !accessibility_    ? "the technique computes no accessibility"
+                               : !needs().blended ? "no material is blended"
+                               : !plan_.technique_reads_depth
+                                   ? "the technique reads no depth"
+                                   : "blended surfaces are asked not to occlude");
+        return;
+    }
+    const bool normal = recipe_.reads(Target::kNormal);
+    std::vector<Read> reads;
+    std::vector<Buffer> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
+    if (normal) writes.push_back(Target::kOccluderNormal);
+    if (!once_a_pixel()) {  // copied from the image's own
+        reads = {Target::kVisibility, Target::kDepth};
+        if (normal) reads.emplace_back(Target::kNormal);
+    }
+    pass(Phase::kOccluders, reads, writes);
+}
+
+void Planner::plan_accessibility() {
+    plan_occluders();
+    if (!accessibility_) {
+        leave_out("accessibility", "the technique computes none");
+        leave_out("denoise", "there is no accessibility to denoise");
+        return;
+    }
+    if (technique_.ray_traced) {
+        pass(Phase::kTechnique, {plan_.seen_by_technique(Target::kVisibility)},
+             {Target::kAccessibility});
+    } else {
+        plan_steps(recipe_, Phase::kTechnique);
+    }
+    if (denoised()) {
+        plan_steps(filter_, Phase::kDenoise);
+    } else {
+        leave_out("denoise", "the variant asks for none");
+    }
+}
+
+void Planner::plan_steps(const Recipe& recipe, Phase phase) {
+    // The house's own step: what the frame before made, or 1.
+    Step history{"history", "passes/history.frag.glsl", {}, Target::kHistory.name, {"FIRST"}};
+    history.cover = Cover::kAll;
+    for (int frame = 0; frame < recipe.frames; ++frame) {
+        if (recipe.reads(Target::kHistory)) {
+            plan_step(recipe, history, phase, frame);
+            history.reads = {Target::kAccessibility};
+            history.defines.clear();
+        }
+        for (const Step& step : recipe.steps) plan_step(recipe, step, phase, frame);
+    }
+}
+
+void Planner::plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame) {
+    const Buffer target = written_by(recipe, step);
+    if (step.cover == Cover::kSurfaces &&
+        (target.scale != 1.0F || target.levels > 1 || target.layers > 1 || plan_.makes_colour)) {
+        throw base::failure("step \"{}\" covers surfaces only, which \"{}\" does not allow",
+                            step.name, target.name);
+    }
+    PlannedPass planned{phase, step.name, {}, {}, step, {}, frame};
+    for (const Read& read : step.reads) {
+        if (const Table* table = recipe.find_table(read.name)) {
+            planned.tables.push_back(*table);
+            planned.tables.back().name = read.as;
+        } else {
+            planned.reads.push_back({read_by(recipe, read.name), read.as});
+        }
+    }
+    planned.writes.push_back(add(target));
+    if (step.first_level == 0 &&
+        std::any_of(step.reads.begin(), step.reads.end(),
+                    [&](const Read& read) { return read.name == step.writes; }) &&
+        recipe.find_buffer(step.writes) != nullptr) {
+        throw base::failure("step \"{}\" reads the level above of \"{}\" and begins with the first",
+                            step.name, step.writes);
+    }
+    for (const Read& read : planned.reads) {
+        if (plan_.find(read.name) != nullptr) continue;
+        throw base::failure("step \"{}\" reads \"{}\", which nothing has written before", step.name,
+                            read.name);
+    }
+    plan_.passes.push_back(std::move(planned));
+}
+
+Buffer Planner::written_by(const Recipe& recipe, const Step& step) const {
+    if (const Buffer* own = recipe.find_buffer(step.writes)) {
+        Buffer buffer = *own;
+        buffer.extent = plan_.makes_colour ? Extent::kSamples : Extent::kPixels;
+        return buffer;
+    }
+    const bool technique = &recipe == &recipe_;
+    if (step.writes == Target::kHistory.name) return Target::kHistory;
+    if (plan_.makes_colour) {
+        if (step.writes == Target::kColour.name) return Target::kColour;
+    } else {
+        const Buffer& made = technique ? Target::kAccessibility : Target::kDenoised;
+        if (step.writes == made.name) return made;
+    }
+    throw base::failure(
+        "step \"{}\" writes \"{}\", which is neither a buffer of its recipe nor "
+        "what the recipe makes",
+        step.name, step.writes);
+}
+
+std::string Planner::read_by(const Recipe& recipe, const std::string& name) const {
+    if (recipe.find_buffer(name) != nullptr) return name;
+    // What the technique makes colour of is the image before.
+    if (plan_.makes_colour && name == Target::kColour.name) return Target::kHdr.name;
+    return plan_.seen_by_technique(name);
+}
+
+void Planner::plan_light() {
+    if (needs().environment) light_.push_back(Target::kAmbient);
+    if (needs().direct_light()) light_.push_back(Target::kDirect);
+    if (!lit()) {
+        leave_out("light", "constant ambient light needs no buffer");
+        return;
+    }
+    std::vector<Read> reads{Target::kNormal};
+    if (needs().direct_light()) reads.emplace_back(Target::kDepth);
+    if (needs().lights > 0) reads.emplace_back(Target::kShadow);
+    if (needs().point_lights > 0) reads.emplace_back(Target::kPointShadow);
+    pass(Phase::kLight, reads, light_);
+    if (!needs().specular) leave_out("specular", "no material or no light has any");
+}
+
+void Planner::plan_image() {
+    const Buffer& image = plan_.hdr() ? Target::kHdr : Target::kDisplay;
+    std::vector<Read> reads{Target::kAlbedo};
+    if (accessibility_) reads.emplace_back(plan_.final_accessibility());
+    if (once_a_pixel()) {
+        reads.emplace_back(Target::kDepth);
+        reads.emplace_back(Target::kOccluderDepth);
+    }
+    reads.insert(reads.end(), light_.begin(), light_.end());
+    if (needs().emission) reads.emplace_back(Target::kEmission);
+    pass(Phase::kComposite, reads, {image});
+    if (needs().environment) {
+        pass(Phase::kSky, {Target::kVisibility}, {image});
+    } else {
+        leave_out("sky", "the scene has no environment");
+    }
+    if (plan_.makes_colour) plan_steps(recipe_, Phase::kTechnique);
+    const Buffer& linear = plan_.makes_colour ? Target::kColour : Target::kHdr;
+    if (needs().blended) {
+        std::vector<Read> seen{Target::kVisibility};
+        if (needs().lights > 0) seen.emplace_back(Target::kShadow);
+        if (needs().point_lights > 0) seen.emplace_back(Target::kPointShadow);
+        if (plan_.blended_occlude()) {
+            seen.emplace_back(plan_.final_accessibility());
+            if (once_a_pixel()) seen.emplace_back(Target::kOccluderDepth);
+        }
+        pass(Phase::kBlend, seen, {linear});
+    } else {
+        leave_out("blend", "no material is blended");
+    }
+    if (plan_.hdr()) {
+        pass(Phase::kToneMap, {linear}, {Target::kDisplay});
+    } else {
+        leave_out("tone map", "the scene is not HDR");
+    }
+    if (plan_.options.supersampling > 1) {
+        pass(Phase::kResolve, {Target::kDisplay}, {Target::kResolved});
+    } else {
+        leave_out("resolve", "each pixel takes one sample");
+    }
+}
+
+}  // namespace
+
+FramePlan plan_frame(const SceneNeeds& needs, const Variant& variant, int width, int height,
+                     const FrameOptions& options) {
+    base::check_range("resolution", "supersampling", options.supersampling, 1, kMostSupersampling);
+    const int most = 16384 / options.supersampling;
+    base::check_range("resolution", "width", width, 1, most);
+    base::check_range("resolution", "height", height, 1, most);
+    if (options.occluding_opacity) {
+        base::check_above("blended surfaces", "occluding opacity", *options.occluding_opacity, 0.0F,
+                          1.0F);
+    }
+    for (const VariantProblem& problem : problems_of(variant)) {
+        throw base::bad_input("{}: {}", problem.key, problem.message);
+    }
+    return plan_frame(needs, *find_technique(variant.technique), variant, width, height, options);
+}
+
+FramePlan plan_frame(const SceneNeeds& needs, const Technique& technique, const Variant& variant,
+                     int width, int height, const FrameOptions& options) {
+    Planner planner(needs, technique, variant, options, width, height);
+    planner.plan_geometry();
+    planner.plan_shadow();
+    planner.plan_accessibility();
+    planner.plan_light();
+    planner.plan_image();
+    return planner.take();
+}
+
+}  // namespace obscura::renderer

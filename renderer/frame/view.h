@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "renderer/frame/gpu_scene.h"
+#include "renderer/frame/plan.h"
+#include "renderer/light/lighting.h"
+#include "renderer/scene/scene.h"
+
+namespace obscura::renderer {
+
+/// Gives the accessibility of every pixel, upper row first, for a technique that is ray traced.
+using TracedAccessibility = std::function<std::vector<float>(const Camera& camera, int width,
+                                                             int height, const Variant& choice)>;
+
+/// All of an image but its variant and its size. What it refers to must outlive it.
+struct View {
+    const GpuScene& scene;
+    const Lighting& lighting;
+    const Camera& camera;
+    FrameOptions options = {};
+    TracedAccessibility traced = {};  ///< nothing: a technique that is ray traced is refused
+    /// In place of what scene and light ask for: needs_of_everything.
+    std::optional<SceneNeeds> needs = {};
+};
+
+/// The plan of an image of the view. Throws as plan_frame does.
+[[nodiscard]] FramePlan plan_of(const View& view, const Variant& choice, int width, int height);
+
+}  // namespace obscura::renderer

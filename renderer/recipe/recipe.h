@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/recipe/buffer.h"
+
+namespace obscura::renderer {
+
+/// A buffer or table that a step reads, bound to the sampler `t_<as>`, blanks as underscores.
+struct Read {
+    Read(const Buffer& buffer) : Read(buffer.name) {}                // NOLINT
+    Read(std::string buffer) : name(std::move(buffer)), as(name) {}  // NOLINT
+    Read(const char* buffer) : Read(std::string(buffer)) {}          // NOLINT
+    Read(std::string buffer, std::string sampler)
+        : name(std::move(buffer)), as(std::move(sampler)) {}
+
+    std::string name;
+    std::string as;
+};
+
+/// Numbers made once for a recipe (a kernel, a tile of rotations): an unfiltered texture of
+/// width x height vectors, row by row.
+struct Table {
+    std::string name;
+    int width = 1;
+    int height = 1;
+    std::vector<glm::vec3> texels;
+};
+
+/// Which texels a step draws.
+enum class Cover {
+    kSurfaces,  ///< those that a triangle covers; the others are 1. For one level and layer of the
+                ///< image's size
+    kAll,
+};
+
+/// One full-screen shader, drawn once for each level and layer of what it writes. Beside what it
+/// reads it may use: `u_size` (texels of the level), `u_projection`, `u_ray_scale`, `u_ray_offset`
+/// (passes/view.glsl), `u_far_m`, `u_level`, `u_layer`, `u_frame`, and `p_<parameter>`.
+struct Step {
+    std::string name;    ///< in plans and timings, where neighbours of one name count as one
+    std::string shader;  ///< path below renderer/
+    /// Buffers of the recipe, `depth`, `normal`, `accessibility` (of a filter), `colour` (of a
+    /// technique that makes colour), `history`, or tables of the recipe. A buffer that the step
+    /// itself writes is seen at the level above the one that is drawn.
+    std::vector<Read> reads;
+    std::string writes;  ///< a buffer of the recipe, `accessibility`, `denoised` or `colour`
+    std::vector<std::string> defines;  ///< each `#define TEXT`
+    int fetches = 0;                   ///< the most texture reads of one texel that it draws
+    Cover cover = Cover::kSurfaces;
+    int first_level = 0;  ///< of the levels that it draws
+    int levels = 0;       ///< how many of them; 0: to the last
+
+    /// The level behind the last that is drawn of a buffer with so many.
+    [[nodiscard]] int end_level(int of_levels) const {
+        return levels > 0 && first_level + levels < of_levels ? first_level + levels : of_levels;
+    }
+};
+
+/// What a technique or a denoise filter computes in a frame.
+struct Recipe {
+    std::vector<Buffer> buffers;  ///< its own; sizes are relative to what it makes
+    std::vector<Table> tables;
+    std::vector<Step> steps;
+    int frames = 1;  ///< how often the steps are run, with `u_frame` counting from 0
+
+    /// Whether some step reads it.
+    [[nodiscard]] bool reads(std::string_view name) const;
+    [[nodiscard]] const Buffer* find_buffer(std::string_view name) const;
+    [[nodiscard]] const Table* find_table(std::string_view name) const;
+};
+
+/// The most texture reads that all steps make, over the pixels of the image; rounded up.
+[[nodiscard]] int fetches_per_pixel(const Recipe& recipe);
+
+}  // namespace obscura::renderer

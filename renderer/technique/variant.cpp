@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/technique/variant.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/denoise/denoise.h"
+#include "renderer/technique/technique.h"
+
+namespace obscura::renderer {
+namespace {
+
+using Problems = std::vector<VariantProblem>;
+
+template <typename List>
+std::string names_of(const List& list) {
+    std::string names;
+    for (const auto& item : list) names += (names.empty() ? "" : ", ") + item.name;
+    return names.empty() ? "none" : names;
+}
+
+void check_samples(const Technique& technique, int samples, Problems& problems) {
+    const SampleRange& range = technique.samples;
+    if (samples < range.low || samples > range.high) {
+        problems.push_back(
+            {"samples",
+             range.high == 0
+                 ? fmt::format("{} is not allowed: {} takes no samples", samples, technique.name)
+                 : fmt::format("{} is out of range: {} takes {} to {}", samples, technique.name,
+                               range.low, range.high)});
+    } else if (samples % range.multiple_of != 0) {
+        problems.push_back({"samples", fmt::format("{} is not allowed: {} takes multiples of {}",
+                                                   samples, technique.name, range.multiple_of)});
+    }
+}
+
+void check_denoise(const Technique& technique, const std::string& denoise, Problems& problems) {
+    if (find_denoise(denoise) == nullptr) {
+        problems.push_back({"denoise", fmt::format("\"{}\" is unknown; allowed are {}", denoise,
+                                                   names_of(denoise_filters()))});
+    } else if (!technique.makes_accessibility() && denoise != "none") {
+        problems.push_back({"denoise", fmt::format("\"{}\" is not allowed: {} has no buffer to "
+                                                   "smooth",
+                                                   denoise, technique.name)});
+    }
+}
+
+void check_options(const Variant& variant, Problems& problems) {
+    for (const VariantOption& option : variant_options()) {
+        const std::string& value = variant.*option.value;
+        const auto& allowed = option.allowed;
+        if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) continue;
+        problems.push_back({option.name, fmt::format("\"{}\" is unknown; allowed are {}", value,
+                                                     fmt::join(allowed, ", "))});
+    }
+}
+
+void check_parameter(const Technique& technique, const std::string& name, double value,
+                     Problems& problems) {
+    const Parameter* parameter = technique.find_parameter(name);
+    if (parameter == nullptr) {
+        problems.push_back({name, fmt::format("{} has no such parameter; allowed are {}",
+                                              technique.name, names_of(technique.parameters))});
+    } else if (!(value >= parameter->low && value <= parameter->high)) {
+        problems.push_back(
+            {name,
+             fmt::format("{} is out of range: allowed is {} to {}{}{}", value, parameter->low,
+                         parameter->high, parameter->unit.empty() ? "" : " ", parameter->unit)});
+    } else if (parameter->whole && value != std::floor(value)) {
+        problems.push_back({name, fmt::format("{} is not a whole number from {} to {}", value,
+                                              parameter->low, parameter->high)});
+    }
+}
+
+}  // namespace
+
+const std::vector<VariantOption>& variant_options() {
+    static const std::vector<VariantOption> list = {
+        {"depth_format",
+         "How the depth that the technique reads is stored",
+         {"r32f", "r16f"},
+         &Variant::depth_format},
+    };
+    return list;
+}
+
+const VariantOption* find_option(std::string_view name) {
+    for (const VariantOption& option : variant_options()) {
+        if (option.name == name) return &option;
+    }
+    return nullptr;
+}
+
+std::string Variant::variant_name() const {
+    const Technique* found = find_technique(technique);
+    const std::string stem = found != nullptr ? found->variant : technique;
+    return samples > 0 ? stem + std::to_string(samples) : stem;
+}
+
+double Variant::value_of(const Parameter& parameter) const {
+    const auto set = parameters.find(parameter.name);
+    return set != parameters.end() ? set->second : parameter.standard;
+}
+
+std::map<std::string, double> Variant::all_parameters() const {
+    std::map<std::string, double> all = parameters;
+    const Technique* found = find_technique(technique);
+    if (found == nullptr) return all;
+    for (const Parameter& parameter : found->parameters) {
+        all.emplace(parameter.name, parameter.standard);
+    }
+    return all;
+}
+
+std::string Variant::in_words() const {
+    std::string words = variant_name();
+    if (const Technique* found = find_technique(technique)) {
+        for (const Parameter& parameter : found->parameters) {
+            words += fmt::format(", {} {}", parameter.name, value_of(parameter));
+        }
+    }
+    words += ", denoise " + denoise;
+    for (const VariantOption& option : variant_options()) {
+        const std::string& value = this->*option.value;
+        if (value != option.standard()) words += fmt::format(", {} {}", option.name, value);
+    }
+    return words;
+}
+
+bool Variant::operator==(const Variant& other) const {
+    const auto same = [&](const VariantOption& option) {
+        return this->*option.value == other.*option.value;
+    };
+    return technique == other.technique && samples == other.samples && denoise == other.denoise &&
+           unclamped == other.unclamped && all_parameters() == other.all_parameters() &&
+           std::all_of(variant_options().begin(), variant_options().end(), same);
+}
+
+Variant standard_variant(const Technique& technique) {
+    Variant variant;
+    variant.technique = technique.name;
+    variant.samples = technique.samples.standard;
+    return variant;
+}
+
+std::string standard_denoise(const Technique& technique) {
+    return technique.makes_accessibility() && !technique.ray_traced ? "separable" : "none";
+}
+
+int fetches_per_pixel(const Variant& variant) {
+    const Technique* technique = find_technique(variant.technique);
+    const Denoise* denoise = find_denoise(variant.denoise);
+    if (technique == nullptr || technique->recipe == nullptr) return 0;
+    const int filter = denoise != nullptr ? fetches_per_pixel(denoise->recipe) : 0;
+    return fetches_per_pixel(technique->recipe(variant)) + filter;
+}
+
+std::vector<VariantProblem> problems_of(const Variant& variant) {
+    const Technique* technique = find_technique(variant.technique);
+    if (technique == nullptr) {
+        return {{"technique", fmt::format("\"{}\" is unknown; allowed are {}", variant.technique,
+                                          names_of(techniques()))}};
+    }
+    Problems problems;
+    check_samples(*technique, variant.samples, problems);
+    check_denoise(*technique, variant.denoise, problems);
+    check_options(variant, problems);
+    for (const auto& [name, value] : variant.parameters) {
+        check_parameter(*technique, name, value, problems);
+    }
+    return problems;
+}
+
+}  // namespace obscura::renderer
