@@ -9,8 +9,8 @@ namespace obscura::analysis {
 std::size_t ConditionHash::operator()(const ConditionEntry& condition) const {
     // Knuth's multiplicative hashing (1973, section 6.4), one factor a text.
     std::uint64_t hash = condition.id;
-    for (const std::uint32_t part :
-         {condition.hypothesis, condition.validity, condition.variant_a, condition.variant_b}) {
+    for (const std::uint32_t part : {condition.hypothesis, condition.validity, condition.variant_a,
+                                     condition.variant_b, condition.scene}) {
         hash = (hash ^ part) * 0x9E3779B97F4A7C15ULL;
         hash ^= hash >> 29U;
     }
@@ -24,12 +24,19 @@ std::uint32_t AnswerTable::place_of(const ConditionEntry& condition) {
     return place->second;
 }
 
+void AnswerTable::rename(const std::unordered_map<std::uint32_t, std::uint32_t>& ids) {
+    for (ConditionEntry& condition : conditions) {
+        if (const auto id = ids.find(condition.id); id != ids.end()) condition.id = id->second;
+    }
+    condition_places_.clear();
+}
+
 void AnswerTable::add(const SessionRecord& session) {
     const std::uint32_t name = names.number_of(session.session_id);
     session_places_.emplace(name, static_cast<std::uint32_t>(sessions.size()));
     sessions.push_back({name, names.number_of(session.participant_id),
                         names.number_of(session.study), names.number_of(session.exclusion),
-                        session.kind, session.state});
+                        session.kind, session.state, names.number_of(session.study_sha256)});
 }
 
 void AnswerTable::add(const TrialRecord& trial) {
@@ -42,7 +49,7 @@ void AnswerTable::add(const TrialRecord& trial) {
     answer.condition =
         place_of({names.number_of(trial.condition), names.number_of(trial.hypothesis),
                   names.number_of(trial.validity), names.number_of(trial.condition_A),
-                  names.number_of(trial.condition_B)});
+                  names.number_of(trial.condition_B), names.number_of(trial.scene)});
     answer.repeats = names.number_of(trial.repeats);
     answer.trial_index = trial.trial_index;
     if (std::isfinite(trial.response_time_s)) answer.response_time_s = trial.response_time_s;

@@ -48,6 +48,7 @@ struct SessionEntry {
     std::uint32_t exclusion = 0;  ///< SessionRecord::exclusion
     Kind kind = Kind::kParticipant;
     SessionState state = SessionState::kOpen;
+    std::uint32_t study_sha256 = 0;  ///< of the study's file; 0: not known
 };
 
 /// What a condition showed; texts are numbers in AnswerTable::names.
@@ -57,6 +58,7 @@ struct ConditionEntry {
     std::uint32_t validity = 0;
     std::uint32_t variant_a = 0;
     std::uint32_t variant_b = 0;
+    std::uint32_t scene = 0;
 
     bool operator==(const ConditionEntry&) const = default;
 };
@@ -86,10 +88,13 @@ class AnswerTable {
     std::vector<SessionEntry> sessions;
     std::vector<ConditionEntry> conditions;  ///< each different one once
     std::vector<AnswerEntry> answers;
-    std::string order_unknown;  ///< why first_shown has no meaning; empty where it has
+    std::string order_unknown;       ///< why first_shown has no meaning; empty where it has
+    std::vector<std::string> notes;  ///< what a reader passed over or took for granted
 
     /// The place of the condition, a new one when it is new.
     std::uint32_t place_of(const ConditionEntry& condition);
+    /// Gives conditions other ids, by number; nothing may be added to the table afterwards.
+    void rename(const std::unordered_map<std::uint32_t, std::uint32_t>& ids);
 
     void add(const SessionRecord& session);
     /// Trials of sessions that were not added are passed over: they cannot count.

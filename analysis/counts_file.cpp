@@ -2,115 +2,192 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/counts_file.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
+#include <optional>
+#include <utility>
 
-#include "analysis/csv.h"
+#include "analysis/direction.h"
+#include "analysis/natural_order.h"
+#include "analysis/table/table.h"
+#include "analysis/table/values.h"
+#include "analysis/text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
 namespace obscura::analysis {
 namespace {
 
-constexpr std::array<std::string_view, 7> kColumns{
-    "condition", "hypothesis", "validity", "variant_a", "variant_b", "count_a", "count_b"};
+enum CountsColumn : std::size_t {
+    kVariantA,
+    kVariantB,
+    kCountA,
+    kCountB,
+    kCondition,
+    kHypothesis,
+    kValidity,
+    kScene,
+    kColumnCount
+};
 
-/// Gathers what is wrong, so that all of it is said at once.
+/// In the order of CountsColumn.
+const std::array<KnownColumn, kColumnCount>& known_columns() {
+    static const std::array<KnownColumn, kColumnCount> columns{{
+        {"variant_a",
+         {"condition_A"},
+         {"stimulus_a", "image_a", "technique_a", "method_a", "option_a", "variant_1", "option_1",
+          "method_1", "a"}},
+        {"variant_b",
+         {"condition_B"},
+         {"stimulus_b", "image_b", "technique_b", "method_b", "option_b", "variant_2", "option_2",
+          "method_2", "b"}},
+        {"count_a",
+         {"count_A"},
+         {"votes_a", "n_a", "wins_a", "a_votes", "a_count", "chose_a", "count_1", "votes_1",
+          "n_1"}},
+        {"count_b",
+         {"count_B"},
+         {"votes_b", "n_b", "wins_b", "b_votes", "b_count", "chose_b", "count_2", "votes_2",
+          "n_2"}},
+        {"condition", {}, {}},
+        {"hypothesis", {}, {}},
+        {"validity", {}, {}},
+        {"scene", {}, {}},
+    }};
+    return columns;
+}
+
 class Reader {
   public:
-    explicit Reader(const std::string& name) : name_(name) {}
+    Reader(std::string bytes, const std::string& name, const ColumnMap& map)
+        : name_(name),
+          map_(map),
+          file_(std::move(bytes), name),
+          problems_(name),
+          numbers_(!file_.has_commas()) {}
 
-    Tally read(const std::vector<CsvRecord>& records) {
-        if (records.empty()) {
+    Tally read() {
+        file_.for_each_row(problems_,
+                           [&](const CsvRow& row) { columns_ ? read_row(row) : read_header(row); });
+        if (!columns_) {
             throw base::bad_input(
-                "{}: the file is empty, allowed is the header {} and a row for "
-                "each condition",
-                name_, fmt::join(kColumns, ","));
+                "{}: the file is empty, allowed is a header with variant_a, variant_b, count_a, "
+                "count_b and a row for each condition",
+                name_);
         }
-        read_header(records.front());
-        if (problems_.empty()) {
-            for (std::size_t i = 1; i < records.size(); ++i) read_row(records[i]);
-            if (records.size() == 1)
-                report(records.front().line, "there is no row below the header");
+        problems_.throw_if_any();
+        if (tally_.conditions.empty()) {
+            throw base::bad_input("{}:{}: there is no row below the header", name_, header_line_);
         }
-        if (!problems_.empty()) throw base::bad_input("{}", fmt::join(problems_, "\n"));
+        std::sort(tally_.conditions.begin(), tally_.conditions.end(),
+                  [](const ConditionVotes& one, const ConditionVotes& other) {
+                      return naturally_before(one.id, other.id);
+                  });
         tally_.source = name_;
         tally_.order = Possible<OrderVotes>::none("counts do not say which image was shown first");
         tally_.n_participants = participants();
+        tally_.notes = file_.notes();
+        if (const std::string names = columns_->passed_over({}); !names.empty()) {
+            tally_.notes.push_back(fmt::format("columns that are not read: {}", names));
+        }
         return std::move(tally_);
     }
 
   private:
-    void report(int line, std::string_view what) {
-        problems_.push_back(fmt::format("{}:{}: {}", name_, line, what));
+    void read_header(const CsvRow& header) {
+        header_line_ = header.line;
+        columns_.emplace(header, known_columns(), map_, problems_);
+        problems_.throw_if_any();
+        bool any_missing = false;
+        for (const CountsColumn column : {kVariantA, kVariantB, kCountA, kCountB}) {
+            if (columns_->has(column)) continue;
+            columns_->report_missing(column, {}, problems_);
+            any_missing = true;
+        }
+        if (any_missing) columns_->report_names(problems_);
+        problems_.throw_if_any();
     }
 
-    void read_header(const CsvRecord& header) {
-        for (std::size_t i = 0; i < header.fields.size(); ++i) {
-            const std::string& field = header.fields[i];
-            if (std::find(kColumns.begin(), kColumns.end(), field) == kColumns.end()) {
-                report(header.line, fmt::format("unknown column '{}', allowed are {}", field,
-                                                fmt::join(kColumns, ", ")));
-            } else if (!place_.emplace(field, i).second) {
-                report(header.line, fmt::format("column {} stands there twice", field));
-            }
-        }
-        for (const std::string_view column : kColumns) {
-            if (!place_.contains(column)) {
-                report(header.line, fmt::format("column {} is missing", column));
-            }
-        }
-    }
-
-    void read_row(const CsvRecord& row) {
-        if (row.fields.size() != place_.size()) {
-            report(row.line, fmt::format("the row has {} fields, allowed are {}", row.fields.size(),
-                                         place_.size()));
-            return;
-        }
+    void read_row(const CsvRow& row) {
         ConditionVotes condition;
-        condition.id = word(row, "condition");
-        condition.hypothesis = row.fields[place_.at("hypothesis")];
-        condition.validity = word(row, "validity");
-        condition.variant_a = word(row, "variant_a");
-        condition.variant_b = word(row, "variant_b");
-        condition.votes = {count(row, "count_a"), count(row, "count_b")};
-        const std::string& validity = condition.validity;
-        if (!validity.empty() && validity != "low" && validity != "moderate" &&
-            validity != "high") {
-            report(row.line,
-                   fmt::format("column validity: '{}', allowed are low, moderate, high", validity));
+        condition.variant_a = word(row, kVariantA);
+        condition.variant_b = word(row, kVariantB);
+        condition.votes = {count(row, kCountA), count(row, kCountB)};
+        if (is_a_of(condition.variant_b, condition.variant_a)) {
+            std::swap(condition.variant_a, condition.variant_b);
+            std::swap(condition.votes.a, condition.votes.b);
         }
-        const auto [first, is_new] = lines_.emplace(condition.id, row.line);
-        if (!is_new && !condition.id.empty()) {
-            report(row.line, fmt::format("column condition: '{}' is already in line {}, allowed is "
-                                         "one row for each",
-                                         condition.id, first->second));
+        condition.hypothesis = name(row, kHypothesis);
+        condition.validity = level(row);
+        condition.view = name(row, kScene);
+        if (columns_->has(kCondition)) {
+            condition.id = word(row, kCondition);
+        } else {
+            condition.id =
+                fmt::format("{}{}{} - {}{}", condition.view, condition.view.empty() ? "" : ": ",
+                            condition.variant_a, condition.variant_b,
+                            condition.validity.empty() || condition.view.empty()
+                                ? ""
+                                : fmt::format(" ({})", condition.validity));
         }
+        check_new(row, condition.id);
         tally_.conditions.push_back(std::move(condition));
     }
 
-    std::string word(const CsvRecord& row, std::string_view column) {
-        const std::string& field = row.fields[place_.at(column)];
-        if (field.empty()) report(row.line, fmt::format("column {} is empty", column));
-        return field;
+    void check_new(const CsvRow& row, const std::string& id) {
+        const auto [first, is_new] = lines_.emplace(id, row.line);
+        if (is_new || id.empty()) return;
+        problems_.add(
+            row.line,
+            columns_->has(kCondition)
+                ? fmt::format("column {}: '{}' is already in line {}, allowed is one row for each",
+                              columns_->name(kCondition), printable(id), first->second)
+                : fmt::format("'{}' is already in line {}; where they are two conditions, a column "
+                              "condition names each",
+                              printable(id), first->second));
     }
 
-    std::int64_t count(const CsvRecord& row, std::string_view column) {
-        const std::string& field = row.fields[place_.at(column)];
-        std::int64_t value = 0;
-        const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-        if (error != std::errc() || end != field.data() + field.size() || value < 0 ||
-            value > kMaxCount) {
-            report(row.line, fmt::format("column {}: '{}', allowed is a whole number 0 to {}",
-                                         column, field, kMaxCount));
-            return 0;
+    void report(const CsvRow& row, CountsColumn column, std::string_view value,
+                std::string_view allowed) {
+        problems_.add(row.line, fmt::format("column {}: '{}', allowed {}", columns_->name(column),
+                                            printable(value), allowed));
+    }
+
+    /// A name that may be missing.
+    std::string name(const CsvRow& row, CountsColumn column) {
+        const std::string_view field = columns_->field(row, column);
+        if (is_missing_name(field)) return "";
+        if (printable(field, field.size()) != field) {
+            report(row, column, field, "is text without control characters");
         }
-        return value;
+        return std::string(field);
+    }
+
+    std::string word(const CsvRow& row, CountsColumn column) {
+        std::string text = name(row, column);
+        if (text.empty()) {
+            problems_.add(row.line, fmt::format("column {} is empty", columns_->name(column)));
+        }
+        return text;
+    }
+
+    std::string level(const CsvRow& row) {
+        const std::string_view field = columns_->field(row, kValidity);
+        if (is_missing(field)) return "";
+        std::string small = lower(field);
+        if (small != "low" && small != "moderate" && small != "high") {
+            report(row, kValidity, field,
+                   "are low, moderate, high; --map validity= passes the column over");
+        }
+        return small;
+    }
+
+    std::int64_t count(const CsvRow& row, CountsColumn column) {
+        const std::string_view field = columns_->field(row, column);
+        const auto value = numbers_.whole(field, kMaxCount);
+        if (!value) report(row, column, field, fmt::format("is a whole number 0 to {}", kMaxCount));
+        return value.value_or(0);
     }
 
     [[nodiscard]] Possible<std::int64_t> participants() const {
@@ -125,21 +202,24 @@ class Reader {
     }
 
     const std::string& name_;
-    std::map<std::string_view, std::size_t> place_;  ///< column to field; views into the header
-    std::map<std::string, int> lines_;               ///< condition to the line it was met in
-    std::vector<std::string> problems_;
+    const ColumnMap& map_;
+    Table file_;
+    FileProblems problems_;
+    NumberReader numbers_;
+    std::optional<Columns> columns_;
+    int header_line_ = 1;
+    std::map<std::string, int> lines_;  ///< condition to the line it was met in
     Tally tally_;
 };
 
 }  // namespace
 
-Tally parse_counts(std::string_view text, const std::string& name) {
-    const auto records = parse_csv(text, name);
-    return Reader(name).read(records);
+Tally parse_counts(std::string bytes, const std::string& name, const ColumnMap& map) {
+    return Reader(std::move(bytes), name, map).read();
 }
 
-Tally read_counts(const std::filesystem::path& file) {
-    return parse_counts(base::read_file(file), file.string());
+Tally read_counts(const std::filesystem::path& file, const ColumnMap& map) {
+    return parse_counts(base::read_file(file), file.string(), map);
 }
 
 }  // namespace obscura::analysis

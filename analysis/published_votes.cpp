@@ -7,6 +7,8 @@
 
 namespace obscura::analysis {
 
-Tally published_votes() { return parse_counts(embedded("data/jakobsen2010.csv"), "jakobsen2010"); }
+Tally published_votes() {
+    return parse_counts(std::string(embedded("data/jakobsen2010.csv")), "jakobsen2010");
+}
 
 }  // namespace obscura::analysis

@@ -5,38 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <string_view>
+#include <tuple>
 #include <unordered_set>
 
+#include "analysis/natural_order.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
 namespace {
-
-/// C2 before C10: runs of digits compare by length, then by digits.
-bool naturally_before(std::string_view one, std::string_view other) {
-    const auto is_digit = [](char letter) {
-        return std::isdigit(static_cast<unsigned char>(letter)) != 0;
-    };
-    const auto take_run = [&](std::string_view& text) {
-        const bool digits = is_digit(text.front());
-        std::size_t length = 1;
-        while (digits && length < text.size() && is_digit(text[length])) ++length;
-        const std::string_view run = text.substr(0, length);
-        text.remove_prefix(length);
-        return run;
-    };
-    while (!one.empty() && !other.empty()) {
-        const std::string_view a = take_run(one);
-        const std::string_view b = take_run(other);
-        if (a == b) continue;
-        return a.size() != b.size() ? a.size() < b.size() : a < b;
-    }
-    return one.size() < other.size();
-}
 
 /// A place that is not there.
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -94,6 +73,7 @@ class Counter {
 
     Tally tally() {
         tally_.source = table_.source;
+        tally_.notes = table_.notes;
         tally_.kind = kind_;
         tally_.study = table_.names[study_];
         number_participants();
@@ -110,6 +90,7 @@ class Counter {
                          [](const ConditionVotes& one, const ConditionVotes& other) {
                              return naturally_before(one.id, other.id);
                          });
+        for (ConditionVotes& condition : tally_.conditions) sort(condition.answers);
         return std::move(tally_);
     }
 
@@ -119,16 +100,22 @@ class Counter {
     }
 
     void number_participants() {
+        std::vector<std::uint32_t> names;
+        for (const SessionEntry& session : table_.sessions) {
+            if (is_chosen(session)) names.push_back(session.participant);
+        }
+        std::sort(names.begin(), names.end(), [&](std::uint32_t one, std::uint32_t other) {
+            return naturally_before(table_.names[one], table_.names[other]);
+        });
+        names.erase(std::unique(names.begin(), names.end()), names.end());
         std::vector<std::int32_t> number(table_.names.size(), -1);
+        for (const std::uint32_t name : names) {
+            number[name] = static_cast<std::int32_t>(tally_.participants.size());
+            tally_.participants.push_back({table_.names[name], {}, {}});
+        }
         for (std::size_t i = 0; i < table_.sessions.size(); ++i) {
             const SessionEntry& session = table_.sessions[i];
-            if (!is_chosen(session)) continue;
-            std::int32_t& own = number[session.participant];
-            if (own < 0) {
-                own = static_cast<std::int32_t>(tally_.participants.size());
-                tally_.participants.push_back({table_.names[session.participant], {}, {}});
-            }
-            participant_of_[i] = own;
+            if (is_chosen(session)) participant_of_[i] = number[session.participant];
         }
         tally_.n_participants = static_cast<std::int64_t>(tally_.participants.size());
     }
@@ -193,7 +180,16 @@ class Counter {
         const ConditionEntry& shown = table_.conditions[answer.condition];
         const Names& names = table_.names;
         std::uint32_t& known = place_of_id_[shown.id];
-        if (known != kNone) throw two_meanings(answer, tally_.conditions[known]);
+        if (known != kNone) {
+            ConditionVotes& entry = tally_.conditions[known];
+            if (!is_same_thing(shown, entry) && !take_longer_names(answer, known)) {
+                throw two_meanings(answer, entry);
+            }
+            if (entry.view != names[shown.scene]) entry.view.clear();
+            place = known;
+            entry.answers.reserve(entry.answers.size() + room_.at(answer.condition));
+            return entry;
+        }
         place = known = static_cast<std::uint32_t>(tally_.conditions.size());
         ConditionVotes& entry =
             tally_.conditions.emplace_back(ConditionVotes{names[shown.id],
@@ -201,9 +197,57 @@ class Counter {
                                                           names[shown.validity],
                                                           names[shown.variant_a],
                                                           names[shown.variant_b],
-                                                          {}});
+                                                          {},
+                                                          names[shown.scene]});
+        study_sha256_.push_back(table_.sessions[answer.session].study_sha256);
         entry.answers.reserve(room_.at(answer.condition));
         return entry;
+    }
+
+    /// Answers to one and the same study file may name its variants by technique and samples only
+    /// (Blizzard24), as earlier versions wrote, and by what differs behind it (Blizzard24 R 0.8).
+    /// The longer names stay. False where that is not what keeps the two apart.
+    bool take_longer_names(const AnswerEntry& answer, std::uint32_t place) {
+        const std::uint32_t sha256 = table_.sessions[answer.session].study_sha256;
+        if (sha256 == 0 || sha256 != study_sha256_[place]) return false;
+        const ConditionEntry& shown = table_.conditions[answer.condition];
+        const Names& names = table_.names;
+        ConditionVotes& entry = tally_.conditions[place];
+        if (names[shown.hypothesis] != entry.hypothesis || names[shown.validity] != entry.validity)
+            return false;
+        const auto longer = [](const std::string& one, const std::string& other) {
+            const bool goes_on = one == other || other.starts_with(one + ' ');
+            return goes_on ? other : one.starts_with(other + ' ') ? one : std::string();
+        };
+        const std::string a = longer(entry.variant_a, names[shown.variant_a]);
+        const std::string b = longer(entry.variant_b, names[shown.variant_b]);
+        if (a.empty() || b.empty()) return false;
+        entry.variant_a = a;
+        entry.variant_b = b;
+        return true;
+    }
+
+    [[nodiscard]] bool is_same_thing(const ConditionEntry& shown,
+                                     const ConditionVotes& entry) const {
+        const Names& names = table_.names;
+        return names[shown.hypothesis] == entry.hypothesis &&
+               names[shown.validity] == entry.validity &&
+               names[shown.variant_a] == entry.variant_a &&
+               names[shown.variant_b] == entry.variant_b;
+    }
+
+    /// By participant and trial; where a table does not number the trials, by all else.
+    static void sort(std::vector<Answer>& answers) {
+        const auto key = [](const Answer& answer) {
+            return std::tuple(answer.participant, answer.position, answer.chose_b, answer.b_second,
+                              answer.response_time_s);
+        };
+        const auto before = [&](const Answer& one, const Answer& other) {
+            return key(one) < key(other);
+        };
+        if (!std::is_sorted(answers.begin(), answers.end(), before)) {
+            std::sort(answers.begin(), answers.end(), before);
+        }
     }
 
     [[nodiscard]] base::Error two_meanings(const AnswerEntry& answer,
@@ -226,9 +270,9 @@ class Counter {
         std::map<Key, const AnswerEntry*> first;
         for (const AnswerEntry& answer : table_.answers) {
             const std::uint32_t id = table_.conditions[answer.condition].id;
-            if (is_vote(answer) && repeated_.contains(id)) {
-                first.emplace(Key{answer.session, id}, &answer);
-            }
+            if (!is_vote(answer) || !repeated_.contains(id)) continue;
+            const auto [known, is_new] = first.emplace(Key{answer.session, id}, &answer);
+            if (!is_new && is_earlier(answer, *known->second)) known->second = &answer;
         }
         for (const AnswerEntry& answer : table_.answers) {
             const std::int32_t participant = participant_of_[answer.session];
@@ -239,6 +283,13 @@ class Counter {
             ++trials.n;
             if (is_same_choice(answer, *found->second)) ++trials.successes;
         }
+    }
+
+    /// Of two answers to one condition; where their numbers are not known, whatever the rows'
+    /// order.
+    static bool is_earlier(const AnswerEntry& one, const AnswerEntry& other) {
+        return std::tuple(one.trial_index, one.a_selected) <
+               std::tuple(other.trial_index, other.a_selected);
     }
 
     [[nodiscard]] bool is_same_choice(const AnswerEntry& again, const AnswerEntry& first) const {
@@ -264,6 +315,7 @@ class Counter {
     std::vector<std::int32_t> participant_of_;       ///< of each session; -1: does not count
     std::vector<std::uint32_t> place_of_condition_;  ///< in the tally, of the table's conditions
     std::vector<std::uint32_t> place_of_id_;         ///< the same, of ids
+    std::vector<std::uint32_t> study_sha256_;        ///< of the tally's conditions, when first met
     std::map<std::uint32_t, std::size_t> room_;      ///< votes of the table's conditions
     std::unordered_set<std::uint32_t> repeated_;     ///< ids of conditions
 };
@@ -290,6 +342,7 @@ Tally without(const Tally& tally, const std::vector<bool>& left_out) {
     kept.kind = tally.kind;
     kept.participants = tally.participants;
     kept.exclusion = tally.exclusion;
+    kept.asks_validity = tally.asks_validity;
     kept.n_participants = std::count(left_out.begin(), left_out.end(), false);
     OrderVotes order;
     for (const ConditionVotes& condition : tally.conditions) {
@@ -298,7 +351,8 @@ Tally without(const Tally& tally, const std::vector<bool>& left_out) {
                                                                             condition.validity,
                                                                             condition.variant_a,
                                                                             condition.variant_b,
-                                                                            {}});
+                                                                            {},
+                                                                            condition.view});
         for (const Answer& answer : condition.answers) {
             if (left_out[static_cast<std::size_t>(answer.participant)]) continue;
             entry.answers.push_back(answer);
@@ -309,6 +363,14 @@ Tally without(const Tally& tally, const std::vector<bool>& left_out) {
     }
     kept.order = tally.order.has_value() ? Possible<OrderVotes>(order) : tally.order;
     return kept;
+}
+
+void name_views(Tally& tally, const std::map<std::string, std::string>& views) {
+    for (ConditionVotes& condition : tally.conditions) {
+        if (const auto view = views.find(condition.view); view != views.end()) {
+            condition.view = view->second;
+        }
+    }
 }
 
 }  // namespace obscura::analysis

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct ConditionVotes {
     std::string variant_a;
     std::string variant_b;
     Votes votes;
+    /// What was looked at, whatever the light: the scene, with the camera where that is known;
+    /// empty: not known, or several.
+    std::string view = {};
     std::vector<Answer> answers = {};  ///< each vote; empty where only the counts are known
 };
 
@@ -60,17 +64,23 @@ struct Tally {
     Possible<std::int64_t> n_participants = Possible<std::int64_t>::none("not counted");
     std::vector<ConditionVotes> conditions;
     Possible<OrderVotes> order = Possible<OrderVotes>::none("not counted");
-    std::vector<ParticipantTrials> participants;  ///< by number; empty where only counts are known
+    /// By number, in natural order of their ids; empty where only counts are known.
+    std::vector<ParticipantTrials> participants;
+    /// Whether it was asked, beside the study's own hypotheses, if the preference depends on
+    /// validity. The built-in study asks it in any case.
+    bool asks_validity = false;
     /// The rule that all sessions carry.
     Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
+    std::vector<std::string> notes;  ///< what the reader of a file passed over or took for granted
 };
 
 /// Votes of the completed sessions of one kind (participant or simulated) of one study; practice,
 /// catch and repeated trials are no votes. `study` may be empty when there is only one. Conditions
-/// are in natural order of their names (C2 before C10). Throws bad input when no such session is
-/// there (saying what there is instead), when several studies are there and none is named, when a
-/// condition has not the same variants, validity or hypothesis in all sessions, when a trial
-/// repeats a condition with other variants, and for a rule of exclusion that is none.
+/// and participants are in natural order of their names (C2 before C10), the answers of a condition
+/// in that of participants and trials: the order of rows says nothing. Throws bad input when no
+/// such session is there (saying what there is instead), when several studies are there and none is
+/// named, when a condition has not the same variants, validity or hypothesis in all sessions, when
+/// a trial repeats a condition with other variants, and for a rule of exclusion that is none.
 [[nodiscard]] Tally tally_of(const AnswerTable& table, const std::string& study, Kind kind);
 
 /// The same of records.
@@ -82,5 +92,9 @@ struct Tally {
 /// The same without the participants whose place in `left_out` is true. Those who stay keep their
 /// numbers; Tally::participants has them all.
 [[nodiscard]] Tally without(const Tally& tally, const std::vector<bool>& left_out);
+
+/// Gives each condition whose scene has a name in `views` that as its view: scenes of one name show
+/// the same thing by the same camera, at several levels.
+void name_views(Tally& tally, const std::map<std::string, std::string>& views);
 
 }  // namespace obscura::analysis

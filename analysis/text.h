@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@ namespace obscura::analysis {
 
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 [[nodiscard]] bool is_utf8(std::string_view text);
+
+/// The text as a message may show it: control characters as \n, \t or \x1b, what is no UTF-8 byte
+/// by byte as \xff, and no more than `most` bytes, with ... behind them.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 60);
 
 /// The shortest decimal text that reads back as the same double; `inf` and `nan` have none and are
 /// a programming error.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -28,6 +29,10 @@ struct StudyScene {
     std::vector<renderer::ImportedFile> files = {};  ///< that the source and its light consist of
     std::vector<std::string> notes = {};  ///< what of the source is not shown, or replaced
 };
+
+/// The keys with a name that may end the look at an image, beside the letters and digits.
+inline constexpr std::array kAdvanceKeys{"space", "enter", "left",    "right",
+                                         "up",    "down",  "page-up", "page-down"};
 
 /// What a camera is called that the study file describes itself.
 inline constexpr std::string_view kStudyCamera = "study";
@@ -62,6 +67,13 @@ struct ExclusionRule {
     [[nodiscard]] std::string to_json() const;
 };
 
+/// A text of a study file that a participant may read.
+struct ShownText {
+    std::string key;  ///< as in the file: question
+    int line = 0;     ///< of the file, from 1
+    std::string text;
+};
+
 /// All that a study file says, checked.
 struct Study {
     std::string name;
@@ -76,13 +88,18 @@ struct Study {
     std::optional<float> occluding_opacity;
     int grey_ms = 2000;
     int grey_level = 128;
+    int input_delay_ms = 300;  ///< a page or image takes nothing that is pressed before that
+    /// Keys that end the look at an image: names of kAdvanceKeys, one letter or one digit.
+    std::vector<std::string> advance = {"space"};
+    bool pointer = false;  ///< a click or touch anywhere does too
     OrderKind order = OrderKind::kLatinSquare;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
     ExclusionRule exclusion;
-    std::string sha256;            ///< of the file's bytes
-    std::filesystem::path folder;  ///< of the file; what its paths are relative to
+    std::vector<ShownText> shown_texts;  ///< title, question, instructions, thanks, as far as given
+    std::string sha256;                  ///< of the file's bytes
+    std::filesystem::path folder;        ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
     /// How every image of the study is rendered, whoever asks for it.

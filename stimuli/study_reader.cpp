@@ -23,12 +23,15 @@ using Problems = std::vector<StudyProblem>;
 
 constexpr std::int64_t kMostPixels = 16384;  // a side; what OpenGL 4.5 drivers allow at least
 constexpr std::int64_t kMostGreyMs = 60000;
+constexpr std::int64_t kMostInputDelayMs = 5000;
 constexpr std::size_t kLongestId = 64;
 
-/// A text that is not blank.
-std::string read_text(TableReader& reader, const std::string& key, Need need) {
+/// A text that is not blank, noted among those that participants read.
+std::string read_text(TableReader& reader, const std::string& key, Need need,
+                      std::vector<ShownText>& shown) {
     const std::optional<std::string> text = reader.text(key, need);
     if (!text) return "";
+    shown.push_back({key, line_of(*reader.table().get(key)), *text});
     if (text->find_first_not_of(" \t\n") == std::string::npos) {
         reader.add(key, "is empty, allowed is a text");
     }
@@ -80,13 +83,47 @@ void read_resolution(TableReader& reader, Study& study) {
     study.height = pixels[1];
 }
 
+/// A key's name, or a lower-case letter or digit.
+bool is_advance_key(const std::string& name) {
+    const bool named =
+        std::find(kAdvanceKeys.begin(), kAdvanceKeys.end(), name) != kAdvanceKeys.end();
+    const bool one = name.size() == 1 &&
+                     ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= '0' && name[0] <= '9'));
+    return named || one;
+}
+
+void read_advance(TableReader& reader, Study& study) {
+    const std::string wanted = fmt::format("an array of {}, a letter a to z or a digit",
+                                           listed({kAdvanceKeys.begin(), kAdvanceKeys.end()}));
+    const toml::array* keys = reader.array("advance", Need::kOptional, wanted);
+    if (keys == nullptr) return;
+    study.advance.clear();
+    for (const toml::node& node : *keys) {
+        const std::string key = node.value<std::string>().value_or("");
+        if (is_advance_key(key)) {
+            study.advance.push_back(key);
+        } else if (node.is_string()) {
+            reader.add("advance",
+                       fmt::format("{} is no key, allowed is {}", in_quotes(key), wanted));
+        } else {
+            reader.add("advance",
+                       fmt::format("holds something else than a string, allowed is {}", wanted));
+        }
+    }
+    if (keys->empty() && !study.pointer) {
+        reader.add(
+            "advance",
+            "is empty and pointer is false: nobody could leave an image; allowed is " + wanted);
+    }
+}
+
 void read_study_table(const toml::table& table, Study& study, Problems& problems) {
     TableReader reader(table, "study", problems);
     study.name = read_id(reader, "name");
-    study.title = read_text(reader, "title", Need::kRequired);
-    study.question = read_text(reader, "question", Need::kRequired);
-    study.instructions = read_text(reader, "instructions", Need::kRequired);
-    study.thanks = read_text(reader, "thanks", Need::kOptional);
+    study.title = read_text(reader, "title", Need::kRequired, study.shown_texts);
+    study.question = read_text(reader, "question", Need::kRequired, study.shown_texts);
+    study.instructions = read_text(reader, "instructions", Need::kRequired, study.shown_texts);
+    study.thanks = read_text(reader, "thanks", Need::kOptional, study.shown_texts);
     read_resolution(reader, study);
     study.supersampling = static_cast<int>(
         reader.integer("supersampling", Need::kOptional, 1, renderer::kMostSupersampling)
@@ -98,6 +135,11 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
         reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
     study.grey_level = static_cast<int>(
         reader.integer("grey_level", Need::kOptional, 0, 255).value_or(study.grey_level));
+    study.input_delay_ms =
+        static_cast<int>(reader.integer("input_delay_ms", Need::kOptional, 0, kMostInputDelayMs)
+                             .value_or(study.input_delay_ms));
+    study.pointer = reader.flag("pointer", Need::kOptional).value_or(study.pointer);
+    read_advance(reader, study);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);
     study.seed = static_cast<std::uint64_t>(

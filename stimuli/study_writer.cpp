@@ -6,24 +6,15 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_format.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::stimuli {
 namespace {
-
-/// As TOML writes a float: with a point or an exponent, exactly.
-std::string number(double value) {
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value);
-    std::string text(digits, end.ptr);
-    if (text.find_first_of(".en") == std::string::npos) text += ".0";
-    return text;
-}
 
 /// As TOML writes a string on one line.
 std::string quoted(const std::string& text) {
@@ -99,10 +90,10 @@ void change_side(std::string_view text, const toml::table& side, const VariantCh
     for (const auto& [key, value] : change.parameters) {
         const toml::node* node = side.get(key);
         if (node != nullptr) {
-            replacements.push_back(in_place_of(text, *node, number(value)));
+            replacements.push_back(in_place_of(text, *node, toml_float(value)));
         } else {
             added.text +=
-                fmt::format("{}{} = {}", side.is_inline() ? ", " : "\n", key, number(value));
+                fmt::format("{}{} = {}", side.is_inline() ? ", " : "\n", key, toml_float(value));
         }
     }
     if (!added.text.empty()) replacements.push_back(added);

@@ -224,6 +224,16 @@ std::optional<std::string> TableReader::choice(const std::string& key, Need need
     return chosen;
 }
 
+std::optional<bool> TableReader::flag(const std::string& key, Need need) {
+    const toml::node* value = find(key, need);
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_boolean()) {
+        wrong_type(key, *value, "true or false");
+        return std::nullopt;
+    }
+    return **value->as_boolean();
+}
+
 const toml::array* TableReader::array(const std::string& key, Need need, std::string_view wanted) {
     const toml::node* value = find(key, need);
     if (value == nullptr) return nullptr;

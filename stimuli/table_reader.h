@@ -48,6 +48,7 @@ class TableReader {
     /// An array of `count` numbers within [low, high]; empty where it is missing or wrong.
     std::vector<double> numbers(const std::string& key, Need need, std::size_t count, double low,
                                 double high);
+    std::optional<bool> flag(const std::string& key, Need need);
     /// A text out of a list of names.
     std::optional<std::string> choice(const std::string& key, Need need,
                                       const std::vector<std::string>& names);

@@ -59,16 +59,15 @@ void read_settings(TableReader& reader, const renderer::Technique& technique, Va
     }
 }
 
-/// As TOML writes a float: with a point or an exponent, exactly.
-std::string number(double value) {
+}  // namespace
+
+std::string toml_float(double value) {
     char digits[40];
     const auto end = std::to_chars(digits, digits + sizeof digits, value);
     std::string text(digits, end.ptr);
     if (text.find_first_of(".en") == std::string::npos) text += ".0";
     return text;
 }
-
-}  // namespace
 
 Variant read_variant(const toml::table& table, const std::string& where,
                      std::vector<StudyProblem>& problems) {
@@ -97,7 +96,7 @@ std::string to_toml(const Variant& variant) {
         text += fmt::format(", samples = {}, denoise = \"{}\"", variant.samples, variant.denoise);
     }
     for (const auto& [name, value] : variant.parameters) {
-        text += fmt::format(", {} = {}", name, number(value));
+        text += fmt::format(", {} = {}", name, toml_float(value));
     }
     for (const VariantOption& option : renderer::variant_options()) {
         const std::string& value = variant.*option.value;

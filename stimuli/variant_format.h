@@ -18,6 +18,9 @@ namespace obscura::stimuli {
 [[nodiscard]] renderer::Variant read_variant(const toml::table& table, const std::string& where,
                                              std::vector<StudyProblem>& problems);
 
+/// As TOML writes a float: with a point or an exponent, exactly.
+[[nodiscard]] std::string toml_float(double value);
+
 /// An inline table that read_variant reads as the same variant.
 [[nodiscard]] std::string to_toml(const renderer::Variant& variant);
 

@@ -164,11 +164,13 @@ class BidsExport {
     explicit BidsExport(const ExportJob& job)
         : job_(job),
           session_columns_(bids_columns(job.source, sessions_export())),
-          columns_(trial_columns(job.source)) {}
+          columns_(trial_columns(job.source)),
+          event_columns_(bids_columns(job.source, bids_events_export())) {}
 
     void run() {
         write_participants();
         write_answers();
+        write_other_events();
         write_tasks();
         write_description();
         write_stimuli();
@@ -190,12 +192,19 @@ class BidsExport {
 
     /// A file for each session, also for one without answers: its participant is in the list.
     void write_answers() {
-        job_.source.each_session([&](const SessionRecord& session) {
+        job_.source.each_session([&](const SessionRow& row) {
             ++job_.exported.sessions;
-            if (session.kind == Kind::kSimulated) ++job_.exported.simulated;
-            const std::string name = name_of(session);
-            job_.folder.add(name + ".json", sidecar_of(session).dump(2) + '\n');
-            names_[session.session_id] = {name, false};
+            if (row.session->kind == Kind::kSimulated) ++job_.exported.simulated;
+            const std::string stem = stem_of(*row.session);
+            const std::string name = stem + "_beh";
+            job_.folder.add(name + ".json", sidecar_of(row).dump(2) + '\n');
+            names_[row.session->session_id] = {name, false};
+            write_table(job_, stem + "_events", event_columns_, Layout::kBidsTsv,
+                        [&](const auto& take) {
+                            for (const EventRecord& event : *row.events) {
+                                take(EventRow{&event, row.session});
+                            }
+                        });
         });
         std::string open_id;
         std::optional<OutputFile> file;
@@ -222,27 +231,38 @@ class BidsExport {
         }
     }
 
-    std::string name_of(const SessionRecord& session) {
+    /// Events of no session have no place in the standard's folders but among what is as it was.
+    void write_other_events() {
+        const auto columns = bids_columns(job_.source, events_export());
+        write_table(job_, "sourcedata/events", columns, Layout::kBidsTsv, [&](const auto& take) {
+            job_.source.each_event([&](const EventRow& row) {
+                if (row.session == nullptr) take(row);
+            });
+        });
+        job_.folder.add("sourcedata/events.json", described(columns).dump(2) + '\n');
+    }
+
+    std::string stem_of(const SessionRecord& session) {
         const std::string subject = "sub-" + subjects_.of(session.participant_id);
         const std::string stem =
             fmt::format("{0}/beh/{0}_task-{1}", subject, tasks_.of(session.study));
         studies_.insert(session.study);
         const int run = ++runs_[stem];
-        return run == 1 ? stem + "_beh" : fmt::format("{}_run-{}_beh", stem, run);
+        return run == 1 ? stem : fmt::format("{}_run-{}", stem, run);
     }
 
-    Json sidecar_of(const SessionRecord& session) {
+    Json sidecar_of(const SessionRow& row) {
         Json fields;
         for (const auto& column : session_columns_) {
             std::string text;
-            column.cell.append(session, text);
+            column.cell.append(row, text);
             if (text.empty()) {
                 fields[column.name] = kUnknown;
             } else {
                 fields[column.name] = column.cell.number ? Json::parse(text) : Json(text);
             }
         }
-        return {{"StimulusPresentation", stimulus_presentation(session)}, {"Session", fields}};
+        return {{"StimulusPresentation", stimulus_presentation(*row.session)}, {"Session", fields}};
     }
 
     /// What holds for every answer of a study; the sidecars of the sessions inherit it.
@@ -258,6 +278,8 @@ class BidsExport {
             json["SessionFields"] = described(session_columns_);
             json.update(described(columns_));
             job_.folder.add(fmt::format("task-{}_beh.json", tasks_.of(name)), json.dump(2) + '\n');
+            job_.folder.add(fmt::format("task-{}_events.json", tasks_.of(name)),
+                            described(event_columns_).dump(2) + '\n');
         }
     }
 
@@ -296,8 +318,9 @@ class BidsExport {
     };
 
     const ExportJob& job_;
-    std::vector<ExportColumn<SessionRecord>> session_columns_;
+    std::vector<ExportColumn<SessionRow>> session_columns_;
     std::vector<ExportColumn<TrialRow>> columns_;
+    std::vector<ExportColumn<EventRow>> event_columns_;
     Labels subjects_;
     Labels tasks_;
     std::set<std::string> studies_;

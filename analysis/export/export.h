@@ -17,7 +17,7 @@ namespace obscura::analysis {
 
 /// What kind of files an export is made of.
 enum class ExportFormat {
-    kCsv,        ///< participants, sessions, trials, conditions as CSV (RFC 4180)
+    kCsv,        ///< participants, sessions, trials, conditions, events as CSV (RFC 4180)
     kTsv,        ///< the same with tabs
     kJsonLines,  ///< the same, an object a line
     kBids,       ///< a behavioural dataset of the Brain Imaging Data Structure 1.9

@@ -67,11 +67,11 @@ class PsychDsExport {
             });
         });
         write(sessions_export(), [&](const auto& take) {
-            job_.source.each_session([&](const SessionRecord& session) {
+            job_.source.each_session([&](const SessionRow& row) {
                 ++job_.exported.sessions;
-                if (session.kind == Kind::kSimulated) ++job_.exported.simulated;
-                studies_[session.study];
-                take(session);
+                if (row.session->kind == Kind::kSimulated) ++job_.exported.simulated;
+                studies_[row.session->study];
+                take(row);
             });
         });
         write(trials_export(), [&](const auto& take) {
@@ -85,6 +85,7 @@ class PsychDsExport {
         write(conditions_export(), [&](const auto& take) {
             for (const ConditionRow& row : conditions_.rows()) take(row);
         });
+        write(events_export(), [&](const auto& take) { job_.source.each_event(take); });
         write_description();
         job_.folder.add("README.md", readme_text(job_));
         add_studies(job_, "materials");
@@ -111,7 +112,7 @@ class PsychDsExport {
             {"description",
              fmt::format("Answers to pairs of images that differ only in their ambient occlusion; "
                          "study {}. Tables: participants, sessions, trials (a row an answer), "
-                         "conditions (votes).",
+                         "conditions (votes), events.",
                          name)},
             {"variableMeasured", variables_}};
         job_.folder.add("dataset_description.json", json.dump(2) + '\n');

@@ -54,9 +54,25 @@ void ExportSource::each_participant(const std::function<void(const ParticipantRe
     for (const ParticipantRecord& participant : participants_) take(participant);
 }
 
-void ExportSource::each_session(const std::function<void(const SessionRecord&)>& take) {
-    if (!anonymous_) return store_.each_session(take);
-    for (const SessionRecord& session : sessions_) take(session);
+void ExportSource::each_session(const std::function<void(const SessionRow&)>& take) {
+    if (!anonymous_) {
+        store_.each_session_with_events(
+            [&](const SessionRecord& session, const std::vector<EventRecord>& events) {
+                take({&session, &events});
+            });
+        return;
+    }
+    for (std::size_t i = 0; i < sessions_.size(); ++i) {
+        const std::vector<EventRecord> events = store_.events_of(session_ids_[i]);
+        take({&sessions_[i], &events});
+    }
+}
+
+void ExportSource::each_event(const std::function<void(const EventRow&)>& take) {
+    for (const EventRecord& event : store_.other_events()) take({&event, nullptr});
+    each_session([&](const SessionRow& row) {
+        for (const EventRecord& event : *row.events) take({&event, row.session});
+    });
 }
 
 void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "analysis/export/events.h"
 #include "analysis/export/export.h"
 #include "analysis/export/tables.h"
 
@@ -35,7 +36,9 @@ class ExportSource {
     }
 
     void each_participant(const std::function<void(const ParticipantRecord&)>& take);
-    void each_session(const std::function<void(const SessionRecord&)>& take);
+    void each_session(const std::function<void(const SessionRow&)>& take);
+    /// Those of no session first.
+    void each_event(const std::function<void(const EventRow&)>& take);
     /// Rows numbered from 1, with the images' files as STUDY/FILE. Counts them in `exported`.
     void each_trial(const std::function<void(const TrialRow&)>& take, Exported& exported);
 

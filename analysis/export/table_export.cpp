@@ -34,10 +34,10 @@ void export_tables(const ExportJob& job) {
         });
     });
     write(sessions_export(), [&](const auto& take) {
-        source.each_session([&](const SessionRecord& session) {
+        source.each_session([&](const SessionRow& row) {
             ++job.exported.sessions;
-            if (session.kind == Kind::kSimulated) ++job.exported.simulated;
-            take(session);
+            if (row.session->kind == Kind::kSimulated) ++job.exported.simulated;
+            take(row);
         });
     });
     ConditionCounter conditions;
@@ -52,6 +52,7 @@ void export_tables(const ExportJob& job) {
     write(conditions_export(), [&](const auto& take) {
         for (const ConditionRow& row : conditions.rows()) take(row);
     });
+    write(events_export(), [&](const auto& take) { source.each_event(take); });
     job.folder.add("data_dictionary.json", dictionary.dump(2) + '\n');
     add_studies(job, "stimuli");
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "analysis/export/events.h"
 #include "analysis/text.h"
 
 namespace obscura::analysis {
@@ -66,6 +67,10 @@ const ExportCell<TrialRow> of_session{
     [](const TrialRow& row, std::string& out) { append(out, row.session->*kMember); },
     is_number_v<kMember>};
 template <auto kMember>
+const ExportCell<SessionRow> of_own_session{
+    [](const SessionRow& row, std::string& out) { append(out, row.session->*kMember); },
+    is_number_v<kMember>};
+template <auto kMember>
 const ExportCell<ConditionRow> of_shown{
     [](const ConditionRow& row, std::string& out) { append(out, row.shown.*kMember); },
     is_number_v<kMember>};
@@ -99,7 +104,8 @@ constexpr const char* kExpected =
     "Variant that an attentive observer picks; empty: no attention check";
 constexpr const char* kRepeats =
     "Condition whose answer this one repeats, which is then no vote; empty: none";
-constexpr const char* kVariant = "Technique and samples of variant ";
+constexpr const char* kVariant =
+    "Technique and samples, with what differs where two would have one name, of variant ";
 
 }  // namespace
 
@@ -121,7 +127,8 @@ const ExportTable<ParticipantRecord>& participants_export() {
              of<&R::age_years>,
              true},
             {"gender",
-             "Gender in the participant's own words; empty: not said",
+             "Gender: female, male, rather not say, or the participant's own words; empty: no "
+             "answer",
              {},
              "",
              of<&R::gender>,
@@ -141,57 +148,96 @@ const ExportTable<ParticipantRecord>& participants_export() {
     return table;
 }
 
-const ExportTable<SessionRecord>& sessions_export() {
+const ExportTable<SessionRow>& sessions_export() {
     using R = SessionRecord;
-    static const ExportTable<R> table{
-        "sessions",
-        {
-            {"session_id", "Name of the session, made by the program", {}, "", of<&R::session_id>},
-            {"participant_id",
-             "Participant, as in the table participants",
-             {},
-             "",
-             of<&R::participant_id>},
-            {"kind", "Who answered", kSubjectKinds, "", of<&R::kind>},
-            {"study", "Name of the study", {}, "", of<&R::study>},
-            {"study_sha256", "SHA-256 of the study file", {}, "", of<&R::study_sha256>},
-            {"order",
-             "How conditions are ordered over participants",
-             {{"latin-square", "random Latin squares"},
-              {"williams", "Williams designs"},
-              {"random", "a random permutation for each participant"},
-              {"fixed", "the order of the study file"}},
-             "",
-             of<&R::order>},
-            {"seed", kSeed, {}, "", of<&R::seed>},
-            {"slot", "Place in the sequence of orders, from 0", {}, "", of<&R::slot>, true},
-            {"latin_square", kSquare, {}, "", of<&R::latin_square>},
-            {"latin_row", kRow, {}, "", of<&R::latin_row>},
-            {"swapped", kSwapped, kYesNo, "", of<&R::swapped>},
-            {"condition_count",
-             "Answers that complete the session",
-             {},
-             "",
-             of<&R::condition_count>},
-            {"state", "How the session ended", kStates, "", of<&R::state>},
-            {"started_utc", std::string(kUtc) + ", start", {}, "", of<&R::started_utc>, true},
-            {"ended_utc",
-             std::string(kUtc) + ", end; empty while open",
-             {},
-             "",
-             of<&R::ended_utc>,
-             true},
-            {"software", "Name and version of the program", {}, "", of<&R::software>},
-            {"operating_system", "Operating system", {}, "", of<&R::operating_system>},
-            {"gpu_renderer", "Renderer string of the OpenGL driver", {}, "", of<&R::gpu_renderer>},
-            {"display", "Monitor, its resolution and refresh rate", {}, "", of<&R::display>},
-            {"refresh_hz",
-             "Refresh rate of the monitor; 0: not known",
-             {},
-             "Hz",
-             of<&R::refresh_hz>},
-            {"exclusion", kExclusion, {}, "", of<&R::exclusion>},
-        }};
+    static const ExportTable<SessionRow> table = [] {
+        ExportTable<SessionRow> sessions{
+            "sessions",
+            {
+                {"session_id",
+                 "Name of the session, made by the program",
+                 {},
+                 "",
+                 of_own_session<&R::session_id>},
+                {"participant_id",
+                 "Participant, as in the table participants",
+                 {},
+                 "",
+                 of_own_session<&R::participant_id>},
+                {"kind", "Who answered", kSubjectKinds, "", of_own_session<&R::kind>},
+                {"study", "Name of the study", {}, "", of_own_session<&R::study>},
+                {"study_sha256",
+                 "SHA-256 of the study file",
+                 {},
+                 "",
+                 of_own_session<&R::study_sha256>},
+                {"order",
+                 "How conditions are ordered over participants",
+                 {{"latin-square", "random Latin squares"},
+                  {"williams", "Williams designs"},
+                  {"random", "a random permutation for each participant"},
+                  {"fixed", "the order of the study file"}},
+                 "",
+                 of_own_session<&R::order>},
+                {"seed", kSeed, {}, "", of_own_session<&R::seed>},
+                {"slot",
+                 "Place in the sequence of orders, from 0",
+                 {},
+                 "",
+                 of_own_session<&R::slot>,
+                 true},
+                {"latin_square", kSquare, {}, "", of_own_session<&R::latin_square>},
+                {"latin_row", kRow, {}, "", of_own_session<&R::latin_row>},
+                {"swapped", kSwapped, kYesNo, "", of_own_session<&R::swapped>},
+                {"condition_count",
+                 "Answers that complete the session",
+                 {},
+                 "",
+                 of_own_session<&R::condition_count>},
+                {"state", "How the session ended", kStates, "", of_own_session<&R::state>},
+                {"started_utc",
+                 std::string(kUtc) + ", start",
+                 {},
+                 "",
+                 of_own_session<&R::started_utc>,
+                 true},
+                {"ended_utc",
+                 std::string(kUtc) + ", end; empty while open",
+                 {},
+                 "",
+                 of_own_session<&R::ended_utc>,
+                 true},
+                {"software",
+                 "Name and version of the program",
+                 {},
+                 "",
+                 of_own_session<&R::software>},
+                {"operating_system",
+                 "Operating system",
+                 {},
+                 "",
+                 of_own_session<&R::operating_system>},
+                {"gpu_renderer",
+                 "Renderer string of the OpenGL driver",
+                 {},
+                 "",
+                 of_own_session<&R::gpu_renderer>},
+                {"display",
+                 "Monitor, its resolution and refresh rate",
+                 {},
+                 "",
+                 of_own_session<&R::display>},
+                {"refresh_hz",
+                 "Refresh rate of the monitor; 0: not known",
+                 {},
+                 "Hz",
+                 of_own_session<&R::refresh_hz>},
+                {"exclusion", kExclusion, {}, "", of_own_session<&R::exclusion>},
+            }};
+        const auto counts = event_count_columns();
+        sessions.columns.insert(sessions.columns.end(), counts.begin(), counts.end());
+        return sessions;
+    }();
     return table;
 }
 
@@ -291,6 +337,14 @@ const ExportTable<TrialRow>& trials_export() {
              {},
              "",
              of_trial<&T::dropped_frames>},
+            {"hidden_ms",
+             "How long, from the first image's onset to the answer, the screen was not to be seen "
+             "whole and in front (focus lost, iconified, covered, resized, monitor off) or covered "
+             "by the operator's question; no part of the times seen or of the response time; "
+             "empty: not measured",
+             {},
+             "ms",
+             of_trial<&T::hidden_ms>},
             {"answered_utc",
              std::string(kUtc) + ", of the answer",
              {},

@@ -39,6 +39,12 @@ struct ExportTable {
     std::vector<ExportColumn<Row>> columns;
 };
 
+/// A session with its events.
+struct SessionRow {
+    const SessionRecord* session = nullptr;
+    const std::vector<EventRecord>* events = nullptr;
+};
+
 /// A trial with the session it belongs to.
 struct TrialRow {
     const TrialRecord* trial = nullptr;
@@ -57,7 +63,7 @@ struct ConditionRow {
 };
 
 [[nodiscard]] const ExportTable<ParticipantRecord>& participants_export();
-[[nodiscard]] const ExportTable<SessionRecord>& sessions_export();
+[[nodiscard]] const ExportTable<SessionRow>& sessions_export();
 [[nodiscard]] const ExportTable<TrialRow>& trials_export();
 [[nodiscard]] const ExportTable<ConditionRow>& conditions_export();
 

@@ -6,7 +6,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/text.h"
 #include "renderer/base/error.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/text.h"
 
 namespace obscura::analysis {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/measurement/order_of_techniques.h"
 #include "analysis/report/html.h"
 #include "analysis/text.h"

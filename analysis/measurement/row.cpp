@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/measurement/pareto.h"
 #include "analysis/text.h"
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "analysis/statistics/bayes_factor.h"
@@ -50,15 +49,38 @@ struct ConditionResult {
     Possible<double> p_bh = Possible<double>::none("no votes");
 };
 
+/// What A and B are in every condition of a hypothesis, so that the votes can be added up.
+struct Pooling {
+    std::string words;         ///< `A is None and B is Blizzard24`
+    std::vector<bool> turned;  ///< of each condition: whether what it calls A counts as B
+};
+
+/// What an interval of a pooled share rests on.
+enum class ShareIntervalKind {
+    kResampled,  ///< participants drawn anew, no narrower than Wilson's of independent votes
+    kEachOnce,   ///< Clopper-Pearson's, each participant counted once: nobody varies, or few
+                 ///< answered
+    kCounts      ///< Wilson's, as many votes as one condition has: who gave them is not known
+};
+struct ShareInterval {
+    Bounds bounds;  ///< 95 %, of the share of B
+    ShareIntervalKind kind = ShareIntervalKind::kCounts;
+};
+
 /// A hypothesis that conditions name: their votes together.
 struct HypothesisResult {
     std::string name;
     std::vector<std::string> conditions;
+    /// No value, with the reason, where "B" is not the same thing in each condition. There is then
+    /// nothing pooled.
+    Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
     Preference pooled;
     /// Of participants instead of votes: those of one participant may hang together.
     Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
     /// Of the pooled share of B, by drawing participants anew.
     Possible<Bounds> resampled = Possible<Bounds>::none("not known");
+    /// The interval to read, which the verdict rests on.
+    Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
     int significant = 0;       ///< conditions with p below the level
     int significant_holm = 0;  ///< those still below it after Holm's correction
     std::string sentence;
@@ -74,20 +96,32 @@ struct SameParticipants {
     Votes changed;
 };
 
+/// What an interval of a difference rests on.
+enum class DifferenceKind {
+    kPaired,     ///< the participants who answered both once, with exact limits of their changes
+    kResampled,  ///< participants drawn anew, no narrower than Newcombe's
+    kCounts      ///< Newcombe's, as if different people had answered
+};
+
+/// `same participants`, `participants drawn anew`, `counts`.
+[[nodiscard]] std::string_view to_string(DifferenceKind kind);
+
 /// By how much the share of B differs between two levels.
 struct LevelDifference {
     std::size_t from = 0;  ///< place in Comparison::levels
     std::size_t to = 0;
-    double difference = 0.0;    ///< share at `to` less share at `from`, -1 to 1
-    Bounds interval;            ///< 95 %
-    bool is_resampled = false;  ///< by drawing participants anew; else Newcombe's, from counts
+    double difference = 0.0;  ///< share at `to` less share at `from`, -1 to 1
+    Bounds interval;          ///< 95 %
+    DifferenceKind kind = DifferenceKind::kCounts;
 };
 
 /// Does the share of B differ between conditions that show the same two variants?
 struct Comparison {
     std::string variant_a;
     std::string variant_b;
+    std::string view;  ///< what all conditions show, whatever the light; empty: not one thing
     std::vector<std::string> conditions;
+    std::vector<bool> turned;         ///< of each condition: whether it calls variant_b A
     std::vector<std::string> levels;  ///< validity of each row of votes
     std::vector<Votes> votes;         ///< one row a level, or a condition
     /// From the counts alone, as if different people had voted in each row.
@@ -100,21 +134,30 @@ struct Comparison {
 };
 
 /// The p-value to read: Cochran's Q over more than two rows and McNemar's test over two where the
-/// answers of each participant are known, the test of counts otherwise.
+/// answers of each participant are known, the test of counts otherwise. It is 1 where every
+/// participant answered alike at every level.
 [[nodiscard]] Possible<PValue> p_of(const Comparison& comparison);
 
 /// That test in words, with its numbers and who it is about; where there is none, why.
 [[nodiscard]] std::string test_words(const Comparison& comparison);
 
-/// H3: the effect depends on ecological validity.
+/// Does the preference depend on ecological validity? Like is compared with like: the same two
+/// variants, seen in the same scene by the same camera at two levels or more.
 struct ValidityResult {
-    /// For each pair of variants shown at two levels or more: the votes of a level together.
-    std::vector<Comparison> by_level;
-    /// Every two conditions with the same variants and different levels, where those are no more
-    /// than kMostPairedConditions.
+    std::string name;  ///< of the question: H3 in the built-in study, else kValidityQuestion
+    std::vector<Comparison> by_level;  ///< one for each scene, camera and two variants
+    /// Of a comparison over three levels, every two, up to kMostPairedConditions conditions.
     std::vector<Comparison> by_pair;
+    std::vector<std::string> without_partner;  ///< conditions that have none to be compared with
+    std::string no_comparison;                 ///< why by_level is empty; empty where it is not
+    /// Over different scenes, as the thesis compared its conditions: published votes only, no test
+    /// of validity and part of no verdict.
+    std::vector<Comparison> across_scenes;
     std::string sentence;
 };
+
+/// What the question is called in a study that has no name of its own for it.
+inline constexpr const char* kValidityQuestion = "validity";
 
 /// Conditions with the same variants beyond which they are not compared two by two.
 inline constexpr std::size_t kMostPairedConditions = 20;
@@ -221,18 +264,22 @@ struct RunPower {
 };
 
 /// What the answers say about a hypothesis.
-enum class Conclusion { kNoEvidence, kEvidenceFor, kEvidenceAgainst, kTooFew };
+enum class Conclusion { kNoEvidence, kEvidenceFor, kEvidenceAgainst, kTooFew, kNotTested };
 
-/// `no evidence`, `evidence for`, `evidence against`, `too few participants to say`.
+/// `no evidence`, `evidence for`, `evidence against`, `too few participants to say`, `not tested`.
 [[nodiscard]] std::string_view to_string(Conclusion conclusion);
 
 struct Verdict {
     std::string hypothesis;
-    Conclusion conclusion = Conclusion::kTooFew;
-    /// Of the test that the verdict rests on; of H3, of the comparison with the smallest.
+    bool is_on_validity = false;
+    Conclusion conclusion = Conclusion::kNotTested;
+    /// Of the test that the verdict rests on; of validity, of the comparison with the smallest.
     Possible<PValue> p = Possible<PValue>::none("no votes");
     /// After Holm's correction over the tests of all verdicts.
     Possible<double> p_holm = Possible<double>::none("no votes");
+    std::size_t tests = 0;  ///< that were corrected together
+    /// 95 %, of the share of B; of validity, of the difference that may be largest.
+    Possible<Bounds> interval = Possible<Bounds>::none("no votes");
     std::string sentence;  ///< with the conclusion and its numbers
 };
 
@@ -267,10 +314,10 @@ struct Analysis {
     std::vector<ConditionResult> conditions;
     std::string sentence;                      ///< what the conditions say, before and after Holm
     std::vector<HypothesisResult> hypotheses;  ///< in order of their names
-    ValidityResult validity;
+    Possible<ValidityResult> validity = Possible<ValidityResult>::none("not asked");
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
     std::vector<VariantScale> scales;  ///< one for each group that pairs connect, with votes
-    std::vector<Verdict> verdicts;     ///< in order of the hypotheses, H3 among them
+    std::vector<Verdict> verdicts;     ///< in order of their names, that on validity among them
     Possible<RunPower> power = Possible<RunPower>::none("no votes");
     /// Nothing where only counts are known.
     Possible<Attention> attention = Possible<Attention>::none("counts do not say who voted");

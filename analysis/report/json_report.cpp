@@ -39,10 +39,13 @@ void put_belief(Json& object, const Preference& preference) {
     }
 }
 
+void put_votes(Json& object, const Votes& votes) {
+    object["n"] = votes.n();
+    object["count_a"] = votes.a;
+    object["count_b"] = votes.b;
+}
+
 void put_preference(Json& object, const Preference& preference) {
-    object["n"] = preference.votes.n();
-    object["count_a"] = preference.votes.a;
-    object["count_b"] = preference.votes.b;
     put_chi_square(object, preference.chi_square);
     put_p(object, "p_exact", preference.exact);
     put(object, "share_b", preference.share_b);
@@ -59,15 +62,39 @@ Json condition_json(const ConditionResult& result) {
     object["validity"] = result.condition.validity;
     object["variant_a"] = result.condition.variant_a;
     object["variant_b"] = result.condition.variant_b;
+    put(object, "view",
+        result.condition.view.empty() ? Possible<std::string>::none("not known")
+                                      : Possible<std::string>(result.condition.view));
+    put_votes(object, result.condition.votes);
     put_preference(object, result.preference);
     put(object, "p_holm", result.p_holm);
     put(object, "p_bh", result.p_bh);
     return object;
 }
 
+/// The interval to read, with what it rests on.
+void put_share_interval(Json& object, const Possible<ShareInterval>& interval) {
+    put_interval(object, "share_b_interval",
+                 interval.has_value() ? Possible<Bounds>(interval->bounds)
+                                      : Possible<Bounds>::none(interval.reason));
+    if (!interval.has_value()) return;
+    object["share_b_interval_from"] = interval->kind == ShareIntervalKind::kResampled ? "resampled"
+                                      : interval->kind == ShareIntervalKind::kEachOnce
+                                          ? "clopper_pearson_of_participants"
+                                          : "wilson_of_participants";
+}
+
 Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
+    if (result.pooling.has_value()) {
+        object["pooled_as"] = result.pooling->words;
+        put_votes(object, result.pooled.votes);
+    } else {
+        for (const char* name : {"pooled_as", "n", "count_a", "count_b"}) {
+            put_none(object, name, result.pooling.reason);
+        }
+    }
     put_preference(object, result.pooled);
     if (result.by_participant.has_value()) {
         object["n_participants_with_preference"] = result.by_participant->participants;
@@ -77,6 +104,7 @@ Json hypothesis_json(const HypothesisResult& result) {
         put_none(object, "p_by_participant", result.by_participant.reason);
     }
     put_interval(object, "resampled_share_b", result.resampled);
+    put_share_interval(object, result.interval);
     object["n_significant"] = result.significant;
     object["n_significant_holm"] = result.significant_holm;
     object["sentence"] = result.sentence;
@@ -115,6 +143,9 @@ Json comparison_json(const Comparison& comparison) {
     Json object;
     object["variant_a"] = comparison.variant_a;
     object["variant_b"] = comparison.variant_b;
+    put(object, "view",
+        comparison.view.empty() ? Possible<std::string>::none("several")
+                                : Possible<std::string>(comparison.view));
     object["conditions"] = comparison.conditions;
     object["votes"] = Json::array();
     for (std::size_t i = 0; i < comparison.votes.size(); ++i) {
@@ -136,7 +167,7 @@ Json comparison_json(const Comparison& comparison) {
                                          {"difference", difference.difference},
                                          {"difference_low", difference.interval.low},
                                          {"difference_high", difference.interval.high},
-                                         {"resampled", difference.is_resampled}});
+                                         {"interval_from", to_string(difference.kind)}});
     }
     put_p(object, "p", p_of(comparison));
     object["test"] = test_words(comparison);
@@ -148,12 +179,18 @@ void add_validity(Json& hypothesis, const ValidityResult& result) {
     for (const Comparison& comparison : result.by_level) {
         hypothesis["comparisons"].push_back(comparison_json(comparison));
     }
+    hypothesis["without_partner"] = result.without_partner;
+    if (!result.across_scenes.empty()) {
+        Json& list = hypothesis["across_scenes"] = Json::array();
+        for (const Comparison& comparison : result.across_scenes) {
+            list.push_back(comparison_json(comparison));
+        }
+    }
     hypothesis["pairs"] = Json::array();
     for (const Comparison& pair : result.by_pair) {
         hypothesis["pairs"].push_back(comparison_json(pair));
     }
-    hypothesis["validity_sentence"] = result.sentence;
-    if (!hypothesis.contains("sentence")) hypothesis["sentence"] = result.sentence;
+    hypothesis["sentence"] = result.sentence;
 }
 
 void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
@@ -222,7 +259,12 @@ void put_results(Json& report, const Analysis& analysis) {
     for (const HypothesisResult& result : analysis.hypotheses) {
         report["hypotheses"][result.name] = hypothesis_json(result);
     }
-    add_validity(report["hypotheses"]["H3"], analysis.validity);
+    if (analysis.validity.has_value()) {
+        report["validity_question"] = analysis.validity->name;
+        add_validity(report["hypotheses"][analysis.validity->name], *analysis.validity);
+    } else {
+        put_none(report, "validity_question", analysis.validity.reason);
+    }
     for (const Verdict& verdict : analysis.verdicts) {
         put_verdict(report["hypotheses"][verdict.hypothesis], verdict);
     }

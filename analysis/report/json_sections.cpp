@@ -66,6 +66,8 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     hypothesis["verdict_sentence"] = verdict.sentence;
     put_p(hypothesis, "verdict_p", verdict.p);
     put(hypothesis, "verdict_p_holm", verdict.p_holm);
+    put_interval(hypothesis, "verdict_interval", verdict.interval);
+    if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 
 void put_power(Json& report, const Possible<RunPower>& power) {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
@@ -82,6 +82,28 @@ class Reader {
         return false;
     }
 
+    /// `radius_m=0.5;power=200`
+    [[nodiscard]] std::map<std::string, double> numbers_by_name(const std::string& column) {
+        std::map<std::string, double> numbers;
+        const std::string cell = text(column);
+        for (std::size_t begin = 0; begin < cell.size();) {
+            const std::size_t end = std::min(cell.find(';', begin), cell.size());
+            const std::string part = cell.substr(begin, end - begin);
+            const std::size_t equals = std::min(part.find('='), part.size());
+            const char* const last = part.data() + part.size();
+            double value = 0.0;
+            const auto [next, error] =
+                std::from_chars(std::min(part.data() + equals + 1, last), last, value);
+            if (equals == 0 || error != std::errc() || next != last || !std::isfinite(value)) {
+                complain(record_->line, column, cell, "NAME=NUMBER, several with ; between them");
+                break;
+            }
+            numbers[part.substr(0, equals)] = value;
+            begin = end + 1;
+        }
+        return numbers;
+    }
+
     void give_up_if_wrong() const {
         if (problems_.empty()) return;
         std::string message;
@@ -127,6 +149,7 @@ MeasuredSetting row_of(Reader& reader) {
     row.ms_median = reader.number("ms_median");
     row.rmse = reader.number("rmse");
     row.bias = reader.number("bias", true);
+    row.parameters = reader.numbers_by_name("parameters");
     row.published = reader.text("published");
     return row;
 }

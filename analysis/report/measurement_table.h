@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,7 @@ struct MeasuredSetting {
     Possible<double> ms_median = Possible<double>::none("not measured");
     Possible<double> rmse = Possible<double>::none("not measured");  ///< of accessibility
     Possible<double> bias = Possible<double>::none("not measured");  ///< signed mean
+    std::map<std::string, double> parameters;  ///< of the technique; empty: not said
     std::string published;  ///< conditions of the study that show just this setting; may be empty
 };
 
@@ -40,10 +42,10 @@ struct MeasurementTable {
 };
 
 /// The CSV table of `obscura measure`, columns in any order: scene, camera, validity, technique,
-/// samples, ms_median and rmse are needed; scene_id, blur, depth_format, ao_scale, width, height, device,
-/// fitted, bias, on_front and published are read where they are there, the others passed over. An
-/// empty cell is a value that was not measured. Throws bad input that lists what is wrong as
-/// `file:line: column, value, what is allowed`.
+/// samples, ms_median and rmse are needed; scene_id, blur, depth_format, ao_scale, width, height,
+/// device, fitted, bias, on_front, parameters and published are read where they are there, the
+/// others passed over. An empty cell is a value that was not measured. Throws bad input that lists
+/// what is wrong as `file:line: column, value, what is allowed`.
 [[nodiscard]] MeasurementTable read_measurement(const std::filesystem::path& file);
 
 /// The same for text; `name` stands for it in messages.

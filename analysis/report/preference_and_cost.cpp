@@ -38,9 +38,19 @@ bool is_of_view(const MeasuredSetting& row, const ShownImage& image) {
     return row.scene == image.scene && row.camera == image.camera && row.validity == image.validity;
 }
 
+/// Of two lists that both say something, whether every parameter that both name is the same. What
+/// was fitted has other values on purpose.
+bool has_the_same_parameters(const MeasuredSetting& row, const ShownImage& image) {
+    return row.fitted ||
+           std::all_of(row.parameters.begin(), row.parameters.end(), [&](const auto& parameter) {
+               const auto other = image.parameters.find(parameter.first);
+               return other == image.parameters.end() || other->second == parameter.second;
+           });
+}
+
 bool shows_the_same(const MeasuredSetting& row, const ShownImage& image) {
     return is_of_view(row, image) && row.technique == image.technique &&
-           row.samples == image.samples;
+           row.samples == image.samples && has_the_same_parameters(row, image);
 }
 
 /// How well a row that shows the same stands for the image; larger is better.
@@ -61,17 +71,6 @@ const MeasuredSetting* best_of(const Rows& rows, const ShownImage* image) {
     return best;
 }
 
-const ShownImage* image_of(const ReportInput& input, const ConditionVotes& condition, char side) {
-    const std::string& variant = side == 'A' ? condition.variant_a : condition.variant_b;
-    const auto found =
-        std::find_if(input.images.begin(), input.images.end(), [&](const ShownImage& image) {
-            return image.condition == condition.id && image.side == side &&
-                   image.variant == variant &&
-                   (condition.validity.empty() || image.validity == condition.validity);
-        });
-    return found == input.images.end() ? nullptr : &*found;
-}
-
 Possible<double> difference(const Possible<double>& b, const Possible<double>& a) {
     if (!a.has_value()) return Possible<double>::none("A: " + a.reason);
     if (!b.has_value()) return Possible<double>::none("B: " + b.reason);
@@ -82,7 +81,7 @@ std::string missing(const ReportInput& input, const ConditionVotes& condition, c
     std::string text = fmt::format("{}:", condition.id);
     for (const char side : {'A', 'B'}) {
         const std::string& variant = side == 'A' ? condition.variant_a : condition.variant_b;
-        const ShownImage* image = image_of(input, condition, side);
+        const ShownImage* image = shown_image(input, condition, side);
         if (image == nullptr) {
             text += fmt::format(" it is not known how {} ({}) was rendered;", side, variant);
         } else if (best_of(rows, image) == nullptr) {
@@ -110,8 +109,8 @@ std::vector<Rows> rows_by_device(const MeasurementTable& table) {
 std::vector<MeasuredPair> pairs_of(const ReportInput& input, const Rows& rows) {
     std::vector<MeasuredPair> pairs;
     for (const ConditionResult& result : input.analysis.conditions) {
-        const MeasuredSetting* a = best_of(rows, image_of(input, result.condition, 'A'));
-        const MeasuredSetting* b = best_of(rows, image_of(input, result.condition, 'B'));
+        const MeasuredSetting* a = best_of(rows, shown_image(input, result.condition, 'A'));
+        const MeasuredSetting* b = best_of(rows, shown_image(input, result.condition, 'B'));
         if (a == nullptr || b == nullptr) continue;
         pairs.push_back({&result, *a, *b, difference(b->rmse, a->rmse),
                          difference(b->ms_median, a->ms_median)});

@@ -3,6 +3,7 @@
 #include "analysis/report/published_study.h"
 
 #include <algorithm>
+#include <map>
 
 #include "analysis/published_votes.h"
 
@@ -19,6 +20,14 @@ bool is_published_votes(const Tally& tally) {
                    one.variant_b == other.variant_b && one.validity == other.validity &&
                    one.votes.a == other.votes.a && one.votes.b == other.votes.b;
         });
+}
+
+void add_published_views(Tally& tally) {
+    // Chapter 5 of the thesis: the Stanford dragon, Sponza and two characters, one view of each.
+    static const std::map<std::string, std::string> views{
+        {"I", "the dragon"}, {"II", "Sponza"}, {"III", "Sponza"},        {"IV", "the characters"},
+        {"V", "Sponza"},     {"VI", "Sponza"}, {"VII", "the characters"}};
+    for (ConditionVotes& condition : tally.conditions) condition.view = views.at(condition.id);
 }
 
 const std::vector<PrintedTest>& printed_table_4() {

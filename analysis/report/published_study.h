@@ -20,6 +20,9 @@ struct PrintedTest {
 /// Whether these are the votes of Jakobsen 2010, condition by condition.
 [[nodiscard]] bool is_published_votes(const Tally& tally);
 
+/// Says of each condition of published votes which scene it showed, which the counts do not.
+void add_published_views(Tally& tally);
+
 /// Table 4, in its order.
 [[nodiscard]] const std::vector<PrintedTest>& printed_table_4();
 

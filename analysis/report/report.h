@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,9 @@ struct ShownImage {
     std::string camera;
     std::string validity;
     std::string technique;
-    std::string variant;  ///< as in the votes: Blizzard24
+    std::string variant;  ///< as in the votes: Blizzard24, with what differs behind it
     int samples = 0;
+    std::map<std::string, double> parameters;  ///< every one of the technique's
     std::string denoise;
     std::string depth_format = "r32f";
     std::filesystem::path file;  ///< empty: there is no image file
@@ -47,6 +49,11 @@ struct ReportInput {
     std::optional<MeasurementTable> measurement;
     std::string measurement_unknown;  ///< why there is none
 };
+
+/// The image that shows the condition's variant of that side ('A' or 'B'), or nullptr. Names of
+/// before they said what differs, technique and samples only, are known too.
+[[nodiscard]] const ShownImage* shown_image(const ReportInput& input,
+                                            const ConditionVotes& condition, char side);
 
 /// A file of a report, not yet written.
 struct ReportFile {

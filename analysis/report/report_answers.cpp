@@ -13,12 +13,6 @@
 namespace obscura::analysis {
 namespace {
 
-std::string capital(std::string text) {
-    if (!text.empty())
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
 /// The verdict's sentence without the words that stand above it on the page.
 std::string sentence_of(const Verdict& verdict) {
     const std::string said =
@@ -76,6 +70,36 @@ std::string overall_words(const Analysis& analysis) {
     return text;
 }
 
+/// What a verdict answers. The thesis's words are for the thesis's hypotheses only.
+std::string question_of(const Verdict& verdict, bool is_built_in) {
+    const std::string published = is_built_in ? published_hypothesis(verdict.hypothesis) : "";
+    const bool is_meant = verdict.is_on_validity == (verdict.hypothesis == "H3");
+    if (!published.empty() && is_meant) return verdict.hypothesis + ": " + published;
+    return verdict.hypothesis + (verdict.is_on_validity
+                                     ? ": The preference depends on ecological validity."
+                                     : ": Image B is preferred in its conditions.");
+}
+
+/// How the thesis concluded on H3, and what a test says.
+void add_validity_points(const ValidityResult& validity, std::vector<std::string>& points) {
+    const auto crytek = [](const Comparison& comparison) {
+        return comparison.variant_a == "Crytek24" && comparison.test.has_value();
+    };
+    const auto levels =
+        std::find_if(validity.across_scenes.begin(), validity.across_scenes.end(), crytek);
+    const auto pair = std::find_if(validity.by_level.begin(), validity.by_level.end(), crytek);
+    if (levels == validity.across_scenes.end() || pair == validity.by_level.end()) return;
+    points.push_back(fmt::format(
+        "H3, the influence of validity, was concluded from one result being significant and "
+        "another "
+        "not, which is no test of their difference. Tested properly, Crytek24 against Blizzard24 "
+        "gives {} between moderate and high in the same scene (Fisher's exact {}). Over all three "
+        "levels it gives {} (chi-square {:.3f}, df {}), but the low one shows another scene, so "
+        "that this is no test of validity.",
+        p_words(pair->test->p), pair->fisher.has_value() ? p_words(*pair->fisher) : "none",
+        p_words(levels->test->p), levels->test->statistic, levels->test->df));
+}
+
 }  // namespace
 
 void add_answers(ReportDraft& draft) {
@@ -85,15 +109,8 @@ void add_answers(ReportDraft& draft) {
     draft.page.heading("In short");
     draft.page.paragraph(overall_words(analysis));
     for (const Verdict& verdict : analysis.verdicts) {
-        std::string question = verdict.hypothesis;
-        if (knows_hypotheses) {
-            question += ": " + published_hypothesis(verdict.hypothesis);
-        } else if (verdict.hypothesis == "H3") {
-            question += ": The preference depends on ecological validity.";
-        } else {
-            question += ": Image B is preferred in its conditions.";
-        }
-        draft.page.answer(question, capital(std::string(to_string(verdict.conclusion))),
+        draft.page.answer(question_of(verdict, knows_hypotheses),
+                          capital(std::string(to_string(verdict.conclusion))),
                           capital(sentence_of(verdict)));
     }
     draft.page.fine_print("The rule behind the verdicts. " + verdict_rule());
@@ -123,26 +140,10 @@ void add_published_study(ReportDraft& draft) {
         "Pearson's chi-square against 18 : 18, df 1, without continuity correction, computed anew "
         "beside what the thesis prints (it cuts 0.0196 off to 0.019 and rounds 5.444 to 5.445). "
         "The thesis calls III and V significant.");
-    const ValidityResult& validity = analysis.validity;
     std::vector<std::string> points{
         "Nothing stays significant after correcting for seven tests: the smallest p-value, 0.020 "
         "in III and V, becomes 0.137 by Holm's method."};
-    const auto crytek = [&](const Comparison& comparison) {
-        return comparison.variant_a == "Crytek24" && comparison.test.has_value();
-    };
-    for (const Comparison& levels : validity.by_level) {
-        if (!crytek(levels)) continue;
-        for (const Comparison& pair : validity.by_pair) {
-            if (!crytek(pair) || pair.conditions != std::vector<std::string>{"III", "VI"}) continue;
-            points.push_back(fmt::format(
-                "H3, the influence of validity, was concluded from one result being significant "
-                "and another not, which is no test of their difference. Tested properly, Crytek24 "
-                "against Blizzard24 gives {} over the three levels (chi-square {:.3f}, df {}) and "
-                "{} between moderate and high in the same scene (Fisher's exact {}).",
-                p_words(levels.test->p), levels.test->statistic, levels.test->df,
-                p_words(pair.test->p), pair.fisher.has_value() ? p_words(*pair.fisher) : "none"));
-        }
-    }
+    if (analysis.validity.has_value()) add_validity_points(*analysis.validity, points);
     points.push_back(
         "An even split such as 18 : 18 is not proof that people saw no difference: its 95 % "
         "interval reaches from 34 to 66 %.");

@@ -32,7 +32,7 @@ std::string age_words(const People& people) {
 std::string gender_words(const People& people) {
     std::map<std::string, int> counts;
     for (const ParticipantRecord& person : people)
-        ++counts[person.gender.empty() ? "not said" : person.gender];
+        ++counts[person.gender.empty() ? "no answer" : person.gender];
     std::string text;
     for (const auto& [gender, count] : counts) {
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, gender);

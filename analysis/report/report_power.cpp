@@ -21,6 +21,10 @@ Series power_series(const std::string& title, std::int64_t n, double level) {
     return series;
 }
 
+std::string tests_words(const RunPower& power) {
+    return counted(static_cast<std::int64_t>(power.tests), "test");
+}
+
 std::string needed_cell(const Possible<std::int64_t>& n) {
     return n.has_value() ? std::to_string(*n) : kNoValue;
 }
@@ -28,7 +32,7 @@ std::string needed_cell(const Possible<std::int64_t>& n) {
 /// How many participants would show each share that was met.
 Table needed_table(const RunPower& power) {
     Table table{{"Condition or hypothesis", "B (%)", "Needed, one test",
-                 fmt::format("Needed, {} tests", power.tests)},
+                 fmt::format("Needed, {}", tests_words(power))},
                 {}};
     for (const auto* list : {&power.conditions, &power.hypotheses}) {
         for (const RunPower::Needed& needed : *list) {
@@ -41,7 +45,7 @@ Table needed_table(const RunPower& power) {
 
 Table power_table(const RunPower& power) {
     Table table{{"True share (%)", "Exact test (%)", "Chi-square test (%)",
-                 fmt::format("Exact, {} tests (%)", power.tests)},
+                 fmt::format("Exact, {} (%)", tests_words(power))},
                 {}};
     for (const RunPower::At& at : power.shares) {
         table.rows.push_back({fmt::format("{:.0f}", 100.0 * at.share),
@@ -61,13 +65,14 @@ Table power_table(const RunPower& power) {
 
 std::string found_words(const RunPower& power) {
     const auto words = [](const Possible<double>& share) {
-        return share.has_value() ? percent(*share, 1) : std::string("no share at all");
+        return share.has_value()
+                   ? fmt::format("a preference that {} of people share or more", percent(*share, 1))
+                   : std::string("no preference, however strong");
     };
     return fmt::format(
-        "With {} a condition the exact test at {:g} finds, with {} probability, a preference that "
-        "{} of people share or more; when all {} have to stand together (Holm's correction), {}. "
-        "Weaker preferences may be there and be missed: a result that is not significant is no "
-        "proof that nobody saw a difference.",
+        "With {} a condition the exact test at {:g} finds, with {} probability, {}; when all {} "
+        "have to stand together (Holm's correction), {}. Weaker preferences may be there and be "
+        "missed: a result that is not significant is no proof that nobody saw a difference.",
         counted(power.n, "answer"), kSignificance, percent(kAskedPower), words(power.detectable),
         counted(static_cast<std::int64_t>(power.tests), "test"), words(power.detectable_holm));
 }

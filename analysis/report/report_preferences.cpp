@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "analysis/report/report_parts.h"
 #include "analysis/report/report_plots.h"
@@ -130,7 +129,7 @@ Table differences_table(const Analysis& analysis) {
     Table table{{"Variants A | B", "From", "To", "B changes by (points)", "95 % interval (points)",
                  "Interval from"},
                 {}};
-    for (const Comparison& comparison : analysis.validity.by_level) {
+    for (const Comparison& comparison : analysis.validity->by_level) {
         for (const LevelDifference& difference : comparison.differences) {
             table.rows.push_back(
                 {fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
@@ -138,7 +137,7 @@ Table differences_table(const Analysis& analysis) {
                  fmt::format("{:+.1f}", 100.0 * difference.difference),
                  fmt::format("{:+.1f} to {:+.1f}", 100.0 * difference.interval.low,
                              100.0 * difference.interval.high),
-                 difference.is_resampled ? "participants drawn anew" : "counts (Newcombe)"});
+                 std::string(to_string(difference.kind))});
         }
     }
     return table;
@@ -151,14 +150,20 @@ Table hypotheses_table(const Analysis& analysis) {
                 {}};
     for (const HypothesisResult& result : analysis.hypotheses) {
         const Preference& pooled = result.pooled;
-        const bool is_resampled = result.resampled.has_value();
+        if (!result.pooling.has_value()) {
+            table.rows.push_back({result.name,
+                                  fmt::format("{}", fmt::join(result.conditions, ", ")),
+                                  "not pooled", kNoValue, kNoValue, kNoValue, kNoValue});
+            continue;
+        }
         table.rows.push_back(
             {result.name, fmt::format("{}", fmt::join(result.conditions, ", ")),
              fmt::format("{} : {}", pooled.votes.a, pooled.votes.b),
              pooled.share_b.has_value() ? fmt::format("{:.1f}", 100.0 * *pooled.share_b) : kNoValue,
-             is_resampled ? fmt::format("{:.1f} to {:.1f}", 100.0 * result.resampled->low,
-                                        100.0 * result.resampled->high)
-                          : interval_cell(pooled.wilson),
+             result.interval.has_value()
+                 ? fmt::format("{:.1f} to {:.1f}", 100.0 * result.interval->bounds.low,
+                               100.0 * result.interval->bounds.high)
+                 : kNoValue,
              pooled.chi_square.has_value() ? p_cell(Possible<PValue>(pooled.chi_square->p))
                                            : kNoValue,
              result.by_participant.has_value() ? p_cell(Possible<PValue>(result.by_participant->p))
@@ -174,6 +179,7 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
         shares.push_back(fmt::format("{} {}:{}", comparison.levels[i], votes.a, votes.b));
     }
     std::vector<std::string> row{fmt::format("{} | {}", comparison.variant_a, comparison.variant_b),
+                                 comparison.view.empty() ? "several" : comparison.view,
                                  fmt::format("{}", fmt::join(comparison.conditions, ", ")),
                                  fmt::format("{}", fmt::join(shares, ", "))};
     add_test(row, comparison.test);
@@ -184,6 +190,38 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
         row.push_back(fmt::format("none: {}", comparison.same_participants.reason));
     }
     return row;
+}
+
+void add_validity(ReportDraft& draft, const ValidityResult& validity) {
+    draft.page.heading("Does the preference depend on validity?", 3);
+    if (validity.by_level.empty()) {
+        draft.page.paragraph(validity.sentence);
+        return;
+    }
+    Table table{{"Variants A | B", "Scene", "Conditions", "Votes A : B", "Chi-square", "df", "p",
+                 "p, Fisher", "Same participants"},
+                {}};
+    for (const auto* list : {&validity.by_level, &validity.by_pair}) {
+        for (const Comparison& comparison : *list) table.rows.push_back(comparison_row(comparison));
+    }
+    draft.page.table(
+        table,
+        "Is the share of B the same at each level, in the same scene? Chi-square, df, p: test of "
+        "homogeneity from the counts, as if different people had answered at each level; Fisher's "
+        "exact test where two are compared. Same participants: Cochran's Q or McNemar's test, "
+        "which "
+        "are the ones to read where each participant's answers are known (how many changed to A "
+        "and to B).");
+    if (!validity.without_partner.empty()) {
+        draft.page.paragraph(capital(partner_words(validity.without_partner)));
+    }
+    const Table differences = differences_table(draft.input.analysis);
+    if (differences.rows.empty()) return;
+    draft.page.table(
+        differences,
+        "By how many percentage points the share of B changes from one level to another. Interval "
+        "from: the same participants (exact limits of how many changed), participants drawn anew, "
+        "or counts (Newcombe).");
 }
 
 }  // namespace
@@ -223,41 +261,19 @@ void add_hypotheses(ReportDraft& draft) {
     if (!analysis.hypotheses.empty()) {
         draft.page.table(
             hypotheses_table(analysis),
-            "The votes of each hypothesis's conditions together. p, chi-square takes all votes as "
-            "independent; p, participants compares each participant's sum with its mirror image "
-            "and "
-            "is the one to read where it is known. The interval draws participants anew where "
-            "their "
-            "answers are known, else it is Wilson's.");
-    }
-    draft.page.heading("Does the preference depend on validity?", 3);
-    if (analysis.validity.by_level.empty()) {
-        draft.page.paragraph(analysis.validity.sentence);
-        return;
-    }
-    Table table{{"Variants A | B", "Conditions", "Votes A : B", "Chi-square", "df", "p",
-                 "p, Fisher", "Same participants"},
-                {}};
-    std::set<std::vector<std::string>> shown;
-    for (const auto* list : {&analysis.validity.by_level, &analysis.validity.by_pair}) {
-        for (const Comparison& comparison : *list) {
-            if (shown.insert(comparison.conditions).second) {
-                table.rows.push_back(comparison_row(comparison));
-            }
+            "The votes of each hypothesis's conditions together, where B means the same in each of "
+            "them. p, chi-square takes all votes as independent; p, participants compares each "
+            "participant's sum with its mirror image and is the one to read where it is known. The "
+            "interval is the one that the verdict rests on.");
+        std::vector<std::string> meanings;
+        for (const HypothesisResult& result : analysis.hypotheses) {
+            meanings.push_back(fmt::format(
+                "{}: {}.", result.name,
+                result.pooling.has_value() ? result.pooling->words : result.pooling.reason));
         }
+        draft.page.list(meanings);
     }
-    draft.page.table(
-        table,
-        "Is the share of B the same at each level? Chi-square, df, p: test of homogeneity from the "
-        "counts, as if different people had answered at each level; Fisher's exact test where two "
-        "are compared. Same participants: Cochran's Q or McNemar's test, which are the ones to "
-        "read "
-        "where each participant's answers are known (how many changed to A and to B).");
-    const Table differences = differences_table(analysis);
-    if (differences.rows.empty()) return;
-    draft.page.table(
-        differences,
-        "By how many percentage points the share of B changes from one level to another.");
+    if (analysis.validity.has_value()) add_validity(draft, *analysis.validity);
 }
 
 void add_scales(ReportDraft& draft) {

@@ -42,14 +42,6 @@ Thumbnail thumbnail_of(const ShownImage& image, const Hashes& hashes) {
     return {thumbnail(bytes, image.file.string(), kThumbnail_px), ""};
 }
 
-const ShownImage* find_image(const ReportInput& input, const ConditionVotes& condition, char side) {
-    const auto found =
-        std::find_if(input.images.begin(), input.images.end(), [&](const ShownImage& image) {
-            return image.condition == condition.id && image.side == side;
-        });
-    return found == input.images.end() ? nullptr : &*found;
-}
-
 std::string caption_of(const ConditionVotes& condition, char side) {
     const bool is_a = side == 'A';
     return fmt::format("{} {}: {}, chosen by {} of {}", condition.id, side,
@@ -65,7 +57,7 @@ void add_pair(ReportDraft& draft, const ConditionVotes& condition, const Hashes&
     std::string captions[2];
     for (int i = 0; i < 2; ++i) {
         const char side = i == 0 ? 'A' : 'B';
-        const ShownImage* image = find_image(draft.input, condition, side);
+        const ShownImage* image = shown_image(draft.input, condition, side);
         if (image == nullptr) {
             problems.push_back(fmt::format("{}-{}: there is no such image", condition.id, side));
             return;
@@ -87,7 +79,7 @@ Table conditions_table(const ReportInput& input) {
     Table table{{"Condition", "Hypothesis", "Validity", "Scene", "Image A", "Image B"}, {}};
     for (const ConditionResult* result : by_validity(input.analysis)) {
         const ConditionVotes& condition = result->condition;
-        const ShownImage* image = find_image(input, condition, 'A');
+        const ShownImage* image = shown_image(input, condition, 'A');
         table.rows.push_back(
             {condition.id, condition.hypothesis.empty() ? kNoValue : condition.hypothesis,
              condition.validity.empty() ? kNoValue : condition.validity,
@@ -111,10 +103,12 @@ void add_stimuli(ReportDraft& draft) {
                         "nothing else.",
                         input.study.question));
     }
-    draft.page.table(conditions_table(input),
-                     "The pairs, by ecological validity of the scene's lighting: low has constant "
-                     "ambient light only, moderate irradiance from an environment, high that and a "
-                     "sun with shadows. The number in a variant's name counts its samples.");
+    draft.page.table(
+        conditions_table(input),
+        "The pairs, by ecological validity of the scene's lighting: low has constant "
+        "ambient light only, moderate irradiance from an environment, high that and a "
+        "sun with shadows. The number in a variant's name counts its samples; behind it stands "
+        "what differs where two would have the same name (R: radius in m).");
     if (std::all_of(input.images.begin(), input.images.end(),
                     [](const ShownImage& image) { return image.file.empty(); })) {
         draft.page.paragraph(fmt::format("The images are not shown: {}.", input.images_unknown));

@@ -18,27 +18,31 @@ double share_b(const Votes& votes) {
     return static_cast<double>(votes.b) / static_cast<double>(votes.n());
 }
 
-void add(Votes& sum, const Votes& votes) {
-    sum.a += votes.a;
-    sum.b += votes.b;
+void add(Votes& sum, const Votes& votes, bool is_turned) {
+    sum.a += is_turned ? votes.b : votes.a;
+    sum.b += is_turned ? votes.a : votes.b;
 }
 
 /// One pooled share in every sample.
 class PooledShare {
   public:
     PooledShare(HypothesisResult& result, const Places& places) : result_(result) {
-        for (const std::string& id : result.conditions) conditions_.push_back(places.at(id));
+        for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+            conditions_.emplace_back(places.at(result.conditions[i]), result.pooling->turned[i]);
+        }
     }
     void take(const std::vector<Votes>& votes) {
         Votes sum;
-        for (const std::size_t condition : conditions_) add(sum, votes[condition]);
+        for (const auto& [condition, is_turned] : conditions_) {
+            add(sum, votes[condition], is_turned);
+        }
         if (sum.n() > 0) values_.push_back(share_b(sum));
     }
     void finish() { result_.resampled = percentile_interval(values_, kConfidence); }
 
   private:
     HypothesisResult& result_;
-    std::vector<std::size_t> conditions_;
+    std::vector<std::pair<std::size_t, bool>> conditions_;  ///< and whether A counts as B
     std::vector<double> values_;
 };
 
@@ -47,17 +51,20 @@ class LevelShares {
   public:
     LevelShares(Comparison& comparison, const Analysis& analysis, const Places& places)
         : comparison_(comparison), values_(comparison.differences.size()) {
-        for (const std::string& id : comparison.conditions) {
-            const std::size_t place = places.at(id);
+        for (std::size_t i = 0; i < comparison.conditions.size(); ++i) {
+            const std::size_t place = places.at(comparison.conditions[i]);
             const auto level = std::find(comparison.levels.begin(), comparison.levels.end(),
                                          analysis.conditions[place].condition.validity);
-            conditions_.emplace_back(place,
-                                     static_cast<std::size_t>(level - comparison.levels.begin()));
+            conditions_.push_back({place,
+                                   static_cast<std::size_t>(level - comparison.levels.begin()),
+                                   comparison.turned[i]});
         }
     }
     void take(const std::vector<Votes>& votes) {
         std::vector<Votes> levels(comparison_.levels.size());
-        for (const auto& [condition, level] : conditions_) add(levels[level], votes[condition]);
+        for (const Part& part : conditions_) {
+            add(levels[part.level], votes[part.condition], part.is_turned);
+        }
         for (std::size_t i = 0; i < values_.size(); ++i) {
             const Votes& from = levels[comparison_.differences[i].from];
             const Votes& to = levels[comparison_.differences[i].to];
@@ -66,16 +73,25 @@ class LevelShares {
     }
     void finish() {
         for (std::size_t i = 0; i < values_.size(); ++i) {
+            LevelDifference& difference = comparison_.differences[i];
+            if (difference.kind == DifferenceKind::kPaired) continue;
             const auto interval = percentile_interval(values_[i], kConfidence);
             if (!interval.has_value()) continue;
-            comparison_.differences[i].interval = *interval;
-            comparison_.differences[i].is_resampled = true;
+            difference.interval = {std::min(difference.interval.low, interval->low),
+                                   std::max(difference.interval.high, interval->high)};
+            difference.kind = DifferenceKind::kResampled;
         }
     }
 
   private:
+    struct Part {
+        std::size_t condition = 0;
+        std::size_t level = 0;
+        bool is_turned = false;
+    };
+
     Comparison& comparison_;
-    std::vector<std::pair<std::size_t, std::size_t>> conditions_;  ///< with their levels
+    std::vector<Part> conditions_;
     std::vector<std::vector<double>> values_;
 };
 
@@ -133,6 +149,11 @@ class ResampledScales {
         for (std::vector<double>& values : variants) {
             intervals.push_back(*percentile_interval(values, kConfidence));
         }
+        // The first is the reference, which stands at 0 in every sample.
+        const bool is_point =
+            std::any_of(intervals.begin() + 1, intervals.end(),
+                        [](const Bounds& interval) { return interval.low == interval.high; });
+        if (is_point) return None::none("everybody answered alike: drawing anew changes nothing");
         return intervals;
     }
 
@@ -145,7 +166,7 @@ class ResampledScales {
 
 void say_why(Analysis& analysis, const std::string& why) {
     for (HypothesisResult& result : analysis.hypotheses) {
-        result.resampled = Possible<Bounds>::none(why);
+        if (result.pooling.has_value()) result.resampled = Possible<Bounds>::none(why);
     }
     for (VariantScale& scale : analysis.scales) {
         scale.resampled_jod = Possible<std::vector<Bounds>>::none(why);
@@ -165,10 +186,14 @@ void resample(Analysis& analysis, const VotesByParticipant& votes, std::uint64_t
         places.emplace(result.condition.id, places.size());
     }
     std::vector<PooledShare> pooled;
-    for (HypothesisResult& result : analysis.hypotheses) pooled.emplace_back(result, places);
+    for (HypothesisResult& result : analysis.hypotheses) {
+        if (result.pooling.has_value()) pooled.emplace_back(result, places);
+    }
     std::vector<LevelShares> levels;
-    for (Comparison& comparison : analysis.validity.by_level) {
-        levels.emplace_back(comparison, analysis, places);
+    if (analysis.validity.has_value()) {
+        for (Comparison& comparison : analysis.validity.value->by_level) {
+            levels.emplace_back(comparison, analysis, places);
+        }
     }
     ResampledScales scales(analysis);
     resampling.run(*analysis.resampling.draws, seed, [&](const std::vector<Votes>& sample) {

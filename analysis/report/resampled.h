@@ -7,8 +7,8 @@
 namespace obscura::analysis {
 
 /// Draws participants anew and fills what intervals rest on them: HypothesisResult::resampled,
-/// LevelDifference::interval of ValidityResult::by_level and VariantScale::resampled_jod; where
-/// there are none, with the reason.
+/// the intervals of ValidityResult::by_level that are not of the same participants and
+/// VariantScale::resampled_jod; where there are none, with the reason.
 void resample(Analysis& analysis, const VotesByParticipant& votes, std::uint64_t seed);
 
 }  // namespace obscura::analysis

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "analysis/report/run_power.h"
+#include "analysis/report/words.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,8 @@ Possible<double> detectable_share(std::int64_t n, double level) {
         return power_of(SplitTest::kExact, n, share, level).power >= kAskedPower;
     };
     if (!is_enough(kSure)) {
-        return Possible<double>::none(fmt::format("{} votes detect no share", n));
+        return Possible<double>::none(
+            fmt::format("{} detect{} no share", counted(n, "vote"), n == 1 ? "s" : ""));
     }
     double low = 0.5;
     double high = kSure;

@@ -63,7 +63,8 @@ Possible<Rows> rows_of(const Conditions& conditions) {
 }
 
 std::string who(const SameParticipants& same) {
-    std::string text = fmt::format("on the same {} participants", same.n);
+    std::string text = same.n == 1 ? std::string("on the same 1 participant")
+                                   : fmt::format("on the same {} participants", same.n);
     if (same.incomplete > 0) {
         text += fmt::format(" ({} who did not answer all left out)", same.incomplete);
     }
@@ -71,6 +72,10 @@ std::string who(const SameParticipants& same) {
 }
 
 std::string mcnemar_words(const SameParticipants& same) {
+    if (!same.mcnemar.has_value()) {
+        return fmt::format("McNemar's exact test {}, nobody changed the answer, p {}", who(same),
+                           p_text(PValue{}));
+    }
     const McNemarTest& test = *same.mcnemar;
     const std::string changes =
         fmt::format("{} changed from B to A, {} from A to B", same.changed.a, same.changed.b);
@@ -131,20 +136,19 @@ Possible<PValue> p_of(const Comparison& comparison) {
         return comparison.test->p;
     }
     const SameParticipants& same = *comparison.same_participants;
-    if (comparison.votes.size() == 2) {
-        if (!same.mcnemar.has_value()) return Possible<PValue>::none(same.mcnemar.reason);
-        return same.mcnemar->p();
-    }
-    if (!same.cochran_q.has_value()) return Possible<PValue>::none(same.cochran_q.reason);
-    return same.cochran_q->p;
+    if (comparison.votes.size() == 2)
+        return same.mcnemar.has_value() ? same.mcnemar->p() : PValue{};
+    return same.cochran_q.has_value() ? same.cochran_q->p : PValue{};
 }
 
 std::string test_words(const Comparison& comparison) {
     if (!comparison.same_participants.has_value()) return counts_words(comparison);
     const SameParticipants& same = *comparison.same_participants;
-    const Possible<PValue> p = p_of(comparison);
-    if (!p.has_value()) return fmt::format("no test {}, {}", who(same), p.reason);
     if (comparison.votes.size() == 2) return mcnemar_words(same);
+    if (!same.cochran_q.has_value()) {
+        return fmt::format("Cochran's Q {}, each answered alike at every level, p {}", who(same),
+                           p_text(PValue{}));
+    }
     return fmt::format("Cochran's Q {}, Q {:.4g}, df {}, p {}", who(same),
                        same.cochran_q->statistic, same.cochran_q->df, p_text(same.cochran_q->p));
 }

@@ -10,6 +10,9 @@ namespace obscura::analysis {
 
 using TextRow = std::vector<std::string>;
 
+/// Stands for a value that there is none of, in plain text.
+inline constexpr const char* kNoText = "-";
+
 /// Columns two blanks apart, as wide as their widest cell in letters (UTF-8); the first `left` are
 /// set to the left, the others to the right. `rows` has at least one row; all have as many cells.
 [[nodiscard]] std::string aligned(const std::vector<TextRow>& rows, std::size_t left);

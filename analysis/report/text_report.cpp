@@ -8,36 +8,35 @@
 #include "analysis/report/analysis.h"
 #include "analysis/report/text_layout.h"
 #include "analysis/report/text_sections.h"
+#include "analysis/report/words.h"
 
 namespace obscura::analysis {
 namespace {
 
-constexpr const char* kNoValue = "-";
-
 std::string number(const Possible<double>& value, const char* sign = "") {
-    if (!value.has_value()) return kNoValue;
+    if (!value.has_value()) return kNoText;
     return fmt::format(fmt::runtime(fmt::format("{{:{}.4f}}", sign)), *value);
 }
 
 std::string chi_square(const Possible<ChiSquareTest>& test) {
     constexpr double kShownInFull = 1e5;
-    if (!test.has_value()) return kNoValue;
+    if (!test.has_value()) return kNoText;
     return test->statistic < kShownInFull ? fmt::format("{:.4f}", test->statistic)
                                           : fmt::format("{:.6g}", test->statistic);
 }
 
 std::string interval(const Possible<Interval>& value) {
-    return value.has_value() ? fmt::format("{:.4f} to {:.4f}", value->low, value->high) : kNoValue;
+    return value.has_value() ? fmt::format("{:.4f} to {:.4f}", value->low, value->high) : kNoText;
 }
 
 std::string p_value(const Possible<PValue>& value) {
-    return value.has_value() ? p_text(*value) : kNoValue;
+    return value.has_value() ? p_text(*value) : kNoText;
 }
 
 /// Corrected p-values carry no logarithm.
 std::string p_holm(const Possible<double>& value) {
     constexpr double kSmallest = 1e-290;
-    if (!value.has_value()) return kNoValue;
+    if (!value.has_value()) return kNoText;
     return *value < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*value, 0.0});
 }
 
@@ -55,7 +54,7 @@ TextRow condition_row(const ConditionResult& result) {
             interval(preference.wilson),
             number(preference.cohens_g, "+"),
             chi_square(preference.chi_square),
-            tested ? p_text(preference.chi_square->p) : kNoValue,
+            tested ? p_text(preference.chi_square->p) : kNoText,
             p_value(preference.exact),
             p_holm(result.p_holm)};
 }
@@ -68,16 +67,18 @@ std::string heading(const Tally& tally) {
         text += "SIMULATED DATA: these answers were made by simulated observers, not by people.\n";
     }
     const char* who = tally.kind == Kind::kSimulated ? "simulated observers" : "participants";
+    const std::string conditions =
+        counted(static_cast<std::int64_t>(tally.conditions.size()), "condition");
     if (tally.n_participants.has_value()) {
         const std::string_view all_of_them = who;
         text +=
-            fmt::format("{} {}, {} conditions\n", *tally.n_participants,
+            fmt::format("{} {}, {}\n", *tally.n_participants,
                         *tally.n_participants == 1 ? all_of_them.substr(0, all_of_them.size() - 1)
                                                    : all_of_them,
-                        tally.conditions.size());
+                        conditions);
     } else {
-        text += fmt::format("Number of {} not known ({}), {} conditions\n", who,
-                            tally.n_participants.reason, tally.conditions.size());
+        text += fmt::format("Number of {} not known ({}), {}\n", who, tally.n_participants.reason,
+                            conditions);
     }
     return text;
 }
@@ -87,6 +88,20 @@ std::string pair_row(const Comparison& pair) {
                        pair.variant_b, pair.conditions[0], pair.levels[0], pair.votes[0].a,
                        pair.votes[0].b, pair.conditions[1], pair.levels[1], pair.votes[1].a,
                        pair.votes[1].b, test_words(pair));
+}
+
+/// What was found on validity; nothing where it was not asked.
+std::string validity_words(const Possible<ValidityResult>& validity) {
+    if (!validity.has_value()) return "";
+    std::string words = fmt::format("{}: {}\n", validity->name, validity->sentence);
+    for (const Comparison& pair : validity->by_pair) words += pair_row(pair);
+    for (const Comparison& levels : validity->across_scenes) {
+        words += fmt::format(
+            "  Over different scenes, as the thesis compared them, and so no test of validity: {}: "
+            "{}.\n",
+            what_is_compared(levels), test_words(levels));
+    }
+    return words;
 }
 
 std::string order_bias_line(const Analysis& analysis) {
@@ -101,19 +116,19 @@ std::string order_bias_line(const Analysis& analysis) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
     const OrderBiasTest& test = *bias.logistic;
-    return text +
-           fmt::format(
-               " Logistic regression over {} conditions: of two equally liked images the second is "
-               "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
-               "likelihood "
-               "ratio {:.4f}, df 1, p {}.\n",
-               test.conditions, 100.0 * test.second_share, test.order_term, test.standard_error,
-               test.likelihood_ratio.statistic, p_text(test.likelihood_ratio.p));
+    return text + fmt::format(
+                      " Logistic regression over {}: of two equally liked images the second is "
+                      "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
+                      "likelihood "
+                      "ratio {:.4f}, df 1, p {}.\n",
+                      counted(test.conditions, "condition"), 100.0 * test.second_share,
+                      test.order_term, test.standard_error, test.likelihood_ratio.statistic,
+                      p_text(test.likelihood_ratio.p));
 }
 
 std::string bayes_factor_text(const Possible<BayesFactor>& factor) {
     constexpr double kShownAsPower = 6.0;
-    if (!factor.has_value()) return kNoValue;
+    if (!factor.has_value()) return kNoText;
     if (std::abs(factor->log10_bf10) > kShownAsPower) {
         return fmt::format("10^{:.2f}", factor->log10_bf10);
     }
@@ -128,16 +143,16 @@ std::string belief_table(const Analysis& analysis) {
         const Possible<Posterior>& posterior = result.preference.posterior;
         const bool known = posterior.has_value();
         rows.push_back({result.condition.id,
-                        known ? fmt::format("{:.4f}", posterior->mean) : kNoValue,
-                        known ? interval(posterior->interval) : kNoValue,
-                        known ? p_text(posterior->above_half) : kNoValue,
+                        known ? fmt::format("{:.4f}", posterior->mean) : kNoText,
+                        known ? interval(posterior->interval) : kNoText,
+                        known ? p_text(posterior->above_half) : kNoText,
                         bayes_factor_text(result.preference.bayes_factor)});
     }
     return aligned(rows, 1);
 }
 
 std::string resampled_text(const Possible<std::vector<Bounds>>& intervals, std::size_t variant) {
-    if (!intervals.has_value()) return kNoValue;
+    if (!intervals.has_value()) return kNoText;
     const Bounds& own = (*intervals)[variant];
     return fmt::format("{:+.4f} to {:+.4f}", own.low, own.high);
 }
@@ -155,8 +170,8 @@ std::string scale_text(const VariantScale& scale) {
         rows.push_back(
             {scale.variants[i], fmt::format("{:+.4f}", scale.thurstone->values[i]),
              fmt::format("{:.4f}", scale.thurstone->standard_errors[i]),
-             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoValue,
-             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoValue,
+             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoText,
+             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoText,
              resampled_text(scale.resampled_jod, i)});
     }
     return aligned(rows, 1);
@@ -196,8 +211,7 @@ std::string text_report(const Analysis& analysis) {
     for (const HypothesisResult& hypothesis : analysis.hypotheses) {
         words += hypothesis.sentence + '\n';
     }
-    words += "H3: " + analysis.validity.sentence + '\n';
-    for (const Comparison& pair : analysis.validity.by_pair) words += pair_row(pair);
+    words += validity_words(analysis.validity);
     words +=
         "Votes that are pooled or compared here come from the same participants, which tests of "
         "counts take as independent; Cochran's, McNemar's and the test by flipping signs do "

@@ -8,19 +8,19 @@
 #include <cmath>
 
 #include "analysis/report/text_layout.h"
+#include "analysis/report/words.h"
 
 namespace obscura::analysis {
 namespace {
 
-constexpr const char* kNoValue = "-";
 constexpr double kPercent = 100.0;
 
 std::string number(const Possible<std::int64_t>& value) {
-    return value.has_value() ? std::to_string(*value) : kNoValue;
+    return value.has_value() ? std::to_string(*value) : kNoText;
 }
 
 std::string share(const Possible<double>& value) {
-    return value.has_value() ? fmt::format("{:.4f}", *value) : kNoValue;
+    return value.has_value() ? fmt::format("{:.4f}", *value) : kNoText;
 }
 
 /// Successes of all together and the participants' own shares, or that there were no such trials.
@@ -28,21 +28,22 @@ std::string attention_line(const char* what, const Successes& trials,
                            const Possible<Quartiles>& shares) {
     if (!shares.has_value()) return fmt::format("{}: none.\n", what);
     return fmt::format(
-        "{}: {} of {} ({:.1f} %); of {} participants' own shares the median is {:.1f} %, half lie "
+        "{}: {} of {} ({:.1f} %); of the own shares of {} the median is {:.1f} %, half lie "
         "between {:.1f} and {:.1f} %.\n",
         what, trials.successes, trials.n,
-        kPercent * static_cast<double>(trials.successes) / static_cast<double>(trials.n), shares->n,
-        kPercent * shares->median, kPercent * shares->first, kPercent * shares->third);
+        kPercent * static_cast<double>(trials.successes) / static_cast<double>(trials.n),
+        counted(shares->n, "participant"), kPercent * shares->median, kPercent * shares->first,
+        kPercent * shares->third);
 }
 
 TextRow times_row(const std::string& name, const Possible<ResponseTimeSummary>& times) {
-    if (!times.has_value()) return {name, "0", kNoValue, kNoValue, kNoValue, kNoValue};
+    if (!times.has_value()) return {name, "0", kNoText, kNoText, kNoText, kNoText};
     const Possible<Bounds>& interval = times->median_interval;
     return {name,
             std::to_string(times->seconds.n),
             fmt::format("{:.3f}", times->seconds.median),
             interval.has_value() ? fmt::format("{:.3f} to {:.3f}", interval->low, interval->high)
-                                 : kNoValue,
+                                 : kNoText,
             fmt::format("{:.3f}", times->seconds.first),
             fmt::format("{:.3f}", times->seconds.third)};
 }
@@ -51,10 +52,8 @@ std::string learning_words(const Learning& learning) {
     std::string text = "Over the session: ";
     if (learning.time.has_value()) {
         const TimeTrend& trend = *learning.time;
-        text += fmt::format(
-            "response times change by {:+.4f} s a trial (median slope of {} "
-            "participants",
-            trend.slope_s, trend.participants);
+        text += fmt::format("response times change by {:+.4f} s a trial (median slope of {}",
+                            trend.slope_s, counted(trend.participants, "participant"));
         text += trend.interval.has_value()
                     ? fmt::format(", 95 % interval {:+.4f} to {:+.4f})", trend.interval->low,
                                   trend.interval->high)
@@ -115,11 +114,12 @@ std::string verdicts_text(const Analysis& analysis) {
 std::string power_text(const Possible<RunPower>& power) {
     if (!power.has_value()) return wrapped(fmt::format("\nPower: {}.\n", power.reason));
     std::string text = wrapped(fmt::format(
-        "\nPower of what was run: the chance that {} votes of a condition are significant at {:g}, "
-        "for a true share of the preferred image; with Holm's correction for {} tests, at the "
+        "\nPower of what was run: the chance that {} a condition {} significant at {:g}, "
+        "for a true share of the preferred image; with Holm's correction for {}, at the "
         "level that passes whatever the others do. True size: the same where nothing is "
         "preferred.\n",
-        power->n, kSignificance, power->tests));
+        counted(power->n, "vote"), power->n == 1 ? "is" : "are", kSignificance,
+        counted(static_cast<std::int64_t>(power->tests), "test")));
     std::vector<TextRow> rows{{"share", "exact", "exact, Holm", "chi-square"}};
     for (const RunPower::At& at : power->shares) {
         rows.push_back({fmt::format("{:g}", at.share), fmt::format("{:.4f}", at.exact.power),
@@ -187,9 +187,10 @@ std::string response_times_text(const Analysis& analysis) {
 std::string exclusions_text(const Analysis& analysis) {
     if (!analysis.exclusions.has_value()) return "";
     const Exclusions& exclusions = *analysis.exclusions;
-    std::string text = fmt::format(
-        "\nThe study's rule, fixed before the data, leaves out {}: {} of {} participants.\n",
-        rule_words(exclusions.rule), exclusions.left_out, exclusions.participants);
+    std::string text =
+        fmt::format("\nThe study's rule, fixed before the data, leaves out {}: {} of {}.\n",
+                    rule_words(exclusions.rule), exclusions.left_out,
+                    counted(exclusions.participants, "participant"));
     if (exclusions.left_out == 0) return wrapped(text);
     text += left_out_words(*analysis.attention);
     text += "All above is without them. With everybody:\n";

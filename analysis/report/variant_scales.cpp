@@ -9,13 +9,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "analysis/direction.h"
 #include "analysis/statistics/bradley_terry.h"
 #include "analysis/statistics/thurstone.h"
 
 namespace obscura::analysis {
 namespace {
-
-constexpr std::string_view kNoTechnique = "None";
 
 /// The variants of all conditions, and the votes of each pair of them together.
 struct Pairs {
@@ -49,7 +48,7 @@ Pairs pairs_of(const Tally& tally) {
 VariantScale scale_of(const Pairs& pairs, const std::vector<const PairVotes*>& own,
                       std::vector<std::size_t> group, ScaleParts parts) {
     const auto reference = std::find_if(group.begin(), group.end(), [&](std::size_t variant) {
-        return pairs.variants[variant] == kNoTechnique;
+        return assumed_rank(pairs.variants[variant]) == 0;
     });
     if (reference != group.end()) std::rotate(group.begin(), reference, reference + 1);
     VariantScale scale;

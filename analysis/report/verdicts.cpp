@@ -8,35 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/report/hypotheses.h"
+#include "analysis/report/words.h"
 #include "analysis/statistics/holm.h"
 #include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 namespace {
-
-/// The test that the verdict on pooled votes rests on.
-Possible<PValue> p_of(const HypothesisResult& result) {
-    if (result.by_participant.has_value()) return result.by_participant->p;
-    if (!result.pooled.chi_square.has_value()) {
-        return Possible<PValue>::none(result.pooled.chi_square.reason);
-    }
-    return result.pooled.chi_square->p;
-}
-
-std::string pooled_test_words(const HypothesisResult& result) {
-    if (result.by_participant.has_value()) {
-        const SignFlipTest& test = *result.by_participant;
-        return fmt::format(
-            "{} test over participants by flipping signs, {} of them with a "
-            "preference, p {}",
-            test.is_exact ? "exact" : "large-sample", test.participants, p_text(test.p));
-    }
-    if (!result.pooled.chi_square.has_value()) return result.pooled.chi_square.reason;
-    return fmt::format(
-        "chi-square {:.4g}, df 1, p {}, with votes of the same participants taken "
-        "as independent",
-        result.pooled.chi_square->statistic, p_text(result.pooled.chi_square->p));
-}
 
 /// Tests of all verdicts, corrected together.
 class Family {
@@ -63,9 +41,9 @@ std::string corrected_words(const Possible<double>& p_holm, std::size_t tests) {
     if (!p_holm.has_value()) return "";
     constexpr double kSmallest = 1e-290;  // a corrected p carries no logarithm
     return fmt::format(
-        " ({} after Holm's correction for {} test{})",
-        *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}), tests,
-        tests == 1 ? "" : "s");
+        " ({} after Holm's correction for {})",
+        *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}),
+        counted(static_cast<std::int64_t>(tests), "test"));
 }
 
 bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kSignificance; }
@@ -75,23 +53,49 @@ std::string needed_words(const Analysis& analysis, const std::string& name) {
     for (const RunPower::Needed& needed : analysis.power->hypotheses) {
         if (needed.name != name || !needed.exact.has_value()) continue;
         return fmt::format(
-            " To detect the observed share with {:g} % power, {} participants with "
+            " To detect the observed share with {:g} % power, {} with "
             "one vote each would have been needed.",
-            100.0 * kAskedPower, *needed.exact);
+            100.0 * kAskedPower, counted(*needed.exact, "participant"));
     }
     return "";
 }
 
-/// What an interval says where the test says nothing.
-std::string interval_words(const Possible<Bounds>& interval, bool is_resampled) {
-    if (!interval.has_value()) return fmt::format("; no interval, {}", interval.reason);
-    const bool is_open = interval->high >= kRelevantShare || interval->low <= 1.0 - kRelevantShare;
-    return fmt::format("; the 95 % interval {:.1f} to {:.1f} %, {}, {} a share of {:g} %",
-                       100.0 * interval->low, 100.0 * interval->high,
-                       is_resampled ? "of participants drawn anew"
-                                    : "in which each participant counts once because his votes "
-                                      "may be alike",
-                       is_open ? "does not exclude" : "excludes", 100.0 * kRelevantShare);
+std::string kind_words(ShareIntervalKind kind) {
+    switch (kind) {
+        case ShareIntervalKind::kResampled:
+            return "participants drawn anew";
+        case ShareIntervalKind::kEachOnce:
+            return "Clopper-Pearson, each participant counted once";
+        case ShareIntervalKind::kCounts:
+            return "Wilson, each participant counted once because his votes may be alike";
+    }
+    return "";
+}
+
+/// The interval, and, where the test says nothing, what it leaves possible.
+std::string interval_words(const ShareInterval& interval, bool is_tested) {
+    const std::string text =
+        fmt::format("; the 95 % interval is {:.1f} to {:.1f} % ({})", 100.0 * interval.bounds.low,
+                    100.0 * interval.bounds.high, kind_words(interval.kind));
+    if (is_tested) return text;
+    const ShareReach reach = reach_of(interval.bounds);
+    if (!reach.for_a && !reach.for_b) {
+        return text + fmt::format(", which excludes shares of {:g} % or more of either image",
+                                  100.0 * kRelevantShare);
+    }
+    return text + fmt::format(", which leaves a share of {} of {:g} % or more possible",
+                              reach.for_a && reach.for_b ? "either image"
+                              : reach.for_b              ? "B"
+                                                         : "A",
+                              100.0 * kRelevantShare);
+}
+
+Conclusion conclusion_on(const Votes& votes, const Bounds& interval, bool is_significant) {
+    if (is_significant) {
+        return votes.b > votes.a ? Conclusion::kEvidenceFor : Conclusion::kEvidenceAgainst;
+    }
+    const ShareReach reach = reach_of(interval);
+    return reach.for_a || reach.for_b ? Conclusion::kTooFew : Conclusion::kNoEvidence;
 }
 
 Verdict verdict_on(const HypothesisResult& result, const Analysis& analysis,
@@ -100,27 +104,23 @@ Verdict verdict_on(const HypothesisResult& result, const Analysis& analysis,
     verdict.hypothesis = result.name;
     verdict.p = p_of(result);
     verdict.p_holm = p_holm;
+    verdict.tests = tests;
     const Votes& votes = result.pooled.votes;
-    const Possible<Bounds> interval = verdict_interval(result, analysis.tally);
-    const bool excludes = interval.has_value() && interval->high < kRelevantShare &&
-                          interval->low > 1.0 - kRelevantShare;
-    if (is_significant(p_holm)) {
-        verdict.conclusion =
-            votes.b > votes.a ? Conclusion::kEvidenceFor : Conclusion::kEvidenceAgainst;
-    } else {
-        verdict.conclusion = excludes ? Conclusion::kNoEvidence : Conclusion::kTooFew;
-    }
-    if (votes.n() == 0) {
-        verdict.sentence =
-            fmt::format("{}: {}, there are no votes.", result.name, to_string(verdict.conclusion));
+    if (!result.pooling.has_value() || votes.n() == 0) {
+        verdict.sentence = fmt::format("{}: {}. {}.", result.name, to_string(verdict.conclusion),
+                                       result.pooling.has_value() ? "Nobody answered its conditions"
+                                                                  : capital(result.pooling.reason));
         return verdict;
     }
+    verdict.interval = result.interval->bounds;
+    const bool is_tested = is_significant(p_holm);
+    verdict.conclusion = conclusion_on(votes, result.interval->bounds, is_tested);
     verdict.sentence = fmt::format(
-        "{}: {}. B was chosen in {} of {} votes ({:.1f} %), {}{}{}.{}", result.name,
-        to_string(verdict.conclusion), votes.b, votes.n(), 100.0 * *result.pooled.share_b,
-        pooled_test_words(result), corrected_words(p_holm, tests),
-        interval_words(interval, result.resampled.has_value()),
-        is_significant(p_holm) ? "" : needed_words(analysis, result.name));
+        "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.{}", result.name,
+        to_string(verdict.conclusion), votes.b, counted(votes.n(), "vote"),
+        100.0 * *result.pooled.share_b, test_words(result), corrected_words(p_holm, tests),
+        interval_words(*result.interval, is_tested), capital(result.pooling->words),
+        is_tested ? "" : needed_words(analysis, result.name));
     return verdict;
 }
 
@@ -148,65 +148,70 @@ Widest widest_of(const ValidityResult& validity) {
 std::string difference_words(const Widest& widest) {
     const LevelDifference& difference = *widest.difference;
     return fmt::format(
-        " The share of B of {} against {} changes by {:+.1f} points from {} to {} (95 % interval "
-        "{:+.1f} to {:+.1f}), which {} a difference of {:g} points.",
-        widest.comparison->variant_a, widest.comparison->variant_b, 100.0 * difference.difference,
-        widest.comparison->levels[difference.from], widest.comparison->levels[difference.to],
-        100.0 * difference.interval.low, 100.0 * difference.interval.high,
-        widest.reach < kRelevantDifference ? "excludes" : "does not exclude",
-        100.0 * kRelevantDifference);
+        " The share of B of {} against {}{}{} changes by {:+.1f} points from {} to {} (95 % "
+        "interval {:+.1f} to {:+.1f}), which {}.",
+        widest.comparison->variant_a, widest.comparison->variant_b,
+        widest.comparison->view.empty() ? "" : " in ", widest.comparison->view,
+        100.0 * difference.difference, widest.comparison->levels[difference.from],
+        widest.comparison->levels[difference.to], 100.0 * difference.interval.low,
+        100.0 * difference.interval.high,
+        reaches_relevant_difference(difference.interval)
+            ? fmt::format("leaves a difference of {:g} points or more possible",
+                          100.0 * kRelevantDifference)
+            : fmt::format("excludes a difference of {:g} points or more",
+                          100.0 * kRelevantDifference));
 }
 
-/// The pair of single conditions that differ most clearly, each for itself.
-std::string pair_words(const ValidityResult& validity) {
-    const Comparison* clearest = nullptr;
-    for (const Comparison& pair : validity.by_pair) {
-        const auto p = p_of(pair);
-        if (!p.has_value()) continue;
-        // Of pairs alike, the one between the higher levels.
-        constexpr double kAlike = 1.0 + 1e-9;
-        if (clearest == nullptr || p->p < p_of(*clearest)->p * kAlike) clearest = &pair;
-    }
-    if (clearest == nullptr) return "";
-    return fmt::format(
-        " Of single pairs, {} ({}) and {} ({}) differ most clearly: p {}, not "
-        "corrected.",
-        clearest->conditions[0], clearest->levels[0], clearest->conditions[1], clearest->levels[1],
-        p_text(*p_of(*clearest)));
+Verdict not_tested(const ValidityResult& validity, const std::string& why) {
+    Verdict verdict;
+    verdict.hypothesis = validity.name;
+    verdict.is_on_validity = true;
+    verdict.p = Possible<PValue>::none(why);
+    verdict.p_holm = Possible<double>::none(why);
+    verdict.interval = Possible<Bounds>::none(why);
+    verdict.sentence =
+        fmt::format("{}: {}. {}.", validity.name, to_string(verdict.conclusion), capital(why));
+    return verdict;
 }
 
 Verdict verdict_on_validity(const ValidityResult& validity, const Family& family,
                             const std::vector<std::optional<std::size_t>>& places) {
+    const Widest widest = widest_of(validity);
+    if (validity.by_level.empty()) return not_tested(validity, validity.no_comparison);
+    if (widest.comparison == nullptr) {
+        return not_tested(validity, "nobody answered two of the conditions that are compared");
+    }
     Verdict verdict;
-    verdict.hypothesis = std::string(kValidityHypothesis);
+    verdict.hypothesis = validity.name;
+    verdict.is_on_validity = true;
+    verdict.tests = family.size();
+    verdict.interval = widest.difference->interval;
     std::string tests;
     for (std::size_t i = 0; i < validity.by_level.size(); ++i) {
         const Comparison& comparison = validity.by_level[i];
         const auto p = p_of(comparison);
         const Possible<double> p_holm = family.at(places[i]);
-        tests += fmt::format(" {} against {} over {}: {}{}.", comparison.variant_a,
-                             comparison.variant_b, fmt::join(comparison.levels, ", "),
-                             test_words(comparison), corrected_words(p_holm, family.size()));
+        tests += fmt::format(" {}: {}{}.", what_is_compared(comparison), test_words(comparison),
+                             corrected_words(p_holm, family.size()));
         if (!p.has_value() || (verdict.p.has_value() && verdict.p->p <= p->p)) continue;
         verdict.p = *p;
         verdict.p_holm = p_holm;
     }
-    const Widest widest = widest_of(validity);
     if (is_significant(verdict.p_holm)) {
         verdict.conclusion = Conclusion::kEvidenceFor;
-    } else if (widest.comparison != nullptr && widest.reach < kRelevantDifference) {
-        verdict.conclusion = Conclusion::kNoEvidence;
+    } else {
+        verdict.conclusion = reaches_relevant_difference(widest.difference->interval)
+                                 ? Conclusion::kTooFew
+                                 : Conclusion::kNoEvidence;
     }
-    verdict.sentence = fmt::format("{}: {}.", kValidityHypothesis, to_string(verdict.conclusion));
-    if (validity.by_level.empty()) {
-        verdict.sentence += " No two variants were shown at more than one level of validity.";
-        return verdict;
-    }
-    verdict.sentence += tests;
-    if (widest.comparison != nullptr && verdict.conclusion != Conclusion::kEvidenceFor) {
+    verdict.sentence =
+        fmt::format("{}: {}.{}", validity.name, to_string(verdict.conclusion), tests);
+    if (verdict.conclusion != Conclusion::kEvidenceFor) {
         verdict.sentence += difference_words(widest);
     }
-    verdict.sentence += pair_words(validity);
+    if (!validity.without_partner.empty()) {
+        verdict.sentence += ' ' + partner_words(validity.without_partner);
+    }
     return verdict;
 }
 
@@ -226,6 +231,8 @@ std::string_view to_string(Conclusion conclusion) {
             return "evidence against";
         case Conclusion::kTooFew:
             return "too few participants to say";
+        case Conclusion::kNotTested:
+            return "not tested";
     }
     return "";
 }
@@ -234,31 +241,31 @@ std::string verdict_rule() {
     return fmt::format(
         "Verdicts: each hypothesis has one test of its pooled votes (by flipping the signs of the "
         "participants' preferences where every answer is known, chi-square where only counts "
-        "are), and H3 one for every two variants shown at several levels of validity; Holm's "
-        "correction is over all of these. Corrected p below {:g}: evidence for where B was chosen "
-        "more often, against where A was; for H3, evidence for. Otherwise: too few participants "
-        "to say where the 95 % interval does not exclude a share of B of {:g} or more, or of {:g} "
-        "or less (H3: a difference of {:g} between two levels), or fewer than {} participants "
-        "answered; no evidence where it excludes them. The interval is of participants drawn "
-        "anew, or, from counts, Wilson's with each participant counted once.",
-        kSignificance, kRelevantShare, 1.0 - kRelevantShare, kRelevantDifference, kFewestResampled);
+        "are). Votes are pooled where B means the same in each condition. Where the study asks "
+        "whether the preference depends on validity, that has one test for every two variants "
+        "shown in the same scene at several levels. Holm's correction is over all of these. "
+        "Corrected p below {:g}: evidence for where B was chosen more often, against where A was; "
+        "for validity, evidence for. Otherwise: too few participants to say where the 95 % "
+        "interval holds a share of {:g} % or more of either image (validity: a difference of {:g} "
+        "points or more between two levels), no evidence where it does not. Not tested: nothing "
+        "could be compared. The interval is of participants drawn anew, and no narrower than if "
+        "all votes were independent; where fewer than {} answered or nobody varies, "
+        "Clopper-Pearson's with each participant counted once; from counts, Wilson's in the same "
+        "way. That of a difference between levels is from the exact limits of how many changed "
+        "their answer; from counts, Newcombe's.",
+        kSignificance, 100.0 * kRelevantShare, 100.0 * kRelevantDifference, kFewestResampled);
 }
 
-Possible<Bounds> verdict_interval(const HypothesisResult& result, const Tally& tally) {
-    if (result.resampled.has_value()) return result.resampled;
-    const bool knows_participants = !tally.participants.empty();
-    if (knows_participants && *tally.n_participants < kFewestResampled) return result.resampled;
-    if (!result.pooled.share_b.has_value()) {
-        return Possible<Bounds>::none(result.pooled.share_b.reason);
-    }
-    // All votes of a participant may be alike: each counts once.
-    std::int64_t n = 0;
-    for (const ConditionVotes& condition : tally.conditions) {
-        if (condition.hypothesis == result.name) n = std::max(n, condition.votes.n());
-    }
-    const auto for_b = std::llround(*result.pooled.share_b * static_cast<double>(n));
-    const Possible<Interval> interval = wilson(for_b, n, kConfidence);
-    return Bounds{interval->low, interval->high};
+ShareReach reach_of(const Bounds& interval) {
+    constexpr double kShown = 0.0005;  // half of what the last digit shown stands for
+    return {interval.high + kShown >= kRelevantShare,
+            interval.low - kShown <= 1.0 - kRelevantShare};
+}
+
+bool reaches_relevant_difference(const Bounds& interval) {
+    constexpr double kShown = 0.0005;
+    return std::max(std::abs(interval.low), std::abs(interval.high)) + kShown >=
+           kRelevantDifference;
 }
 
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {
@@ -266,13 +273,14 @@ std::vector<Verdict> verdicts_of(const Analysis& analysis) {
     std::vector<const HypothesisResult*> pooled;
     std::vector<std::optional<std::size_t>> pooled_places;
     for (const HypothesisResult& result : analysis.hypotheses) {
-        if (result.name == kValidityHypothesis) continue;
         pooled.push_back(&result);
         pooled_places.push_back(family.add(p_of(result)));
     }
     std::vector<std::optional<std::size_t>> level_places;
-    for (const Comparison& comparison : analysis.validity.by_level) {
-        level_places.push_back(family.add(p_of(comparison)));
+    if (analysis.validity.has_value()) {
+        for (const Comparison& comparison : analysis.validity->by_level) {
+            level_places.push_back(family.add(p_of(comparison)));
+        }
     }
     family.correct();
     std::vector<Verdict> verdicts;
@@ -280,7 +288,9 @@ std::vector<Verdict> verdicts_of(const Analysis& analysis) {
         verdicts.push_back(
             verdict_on(*pooled[i], analysis, family.at(pooled_places[i]), family.size()));
     }
-    verdicts.push_back(verdict_on_validity(analysis.validity, family, level_places));
+    if (analysis.validity.has_value()) {
+        verdicts.push_back(verdict_on_validity(*analysis.validity, family, level_places));
+    }
     std::stable_sort(
         verdicts.begin(), verdicts.end(),
         [](const Verdict& one, const Verdict& other) { return one.hypothesis < other.hypothesis; });

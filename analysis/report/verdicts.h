@@ -6,18 +6,21 @@
 
 namespace obscura::analysis {
 
-/// The name of the hypothesis that the effect depends on validity.
-inline constexpr std::string_view kValidityHypothesis = "H3";
-
-/// A verdict on every hypothesis that conditions name, and on kValidityHypothesis, by
-/// verdict_rule(). Needs hypotheses, validity, resampling and power of the analysis.
+/// A verdict on every hypothesis that conditions name, and on the question about validity where it
+/// is asked, by verdict_rule(). Needs hypotheses, validity, resampling and power of the analysis.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const Analysis& analysis);
 
-/// The interval that the verdict on pooled votes rests on: of participants drawn anew, or, where
-/// only counts are known or too many participants answered to draw from, Wilson's of as many votes
-/// as one condition has, because all votes of a participant may be alike. No value for fewer than
-/// kFewestResampled participants whose answers are known.
-[[nodiscard]] Possible<Bounds> verdict_interval(const HypothesisResult& result, const Tally& tally);
+/// What an interval of the share of B says of shares that a study cares about. An end is taken as
+/// it is shown, to a tenth of a per cent.
+struct ShareReach {
+    bool for_b = false;  ///< a share of B of kRelevantShare or more lies in it
+    bool for_a = false;  ///< one of 1 - kRelevantShare or less does
+};
+[[nodiscard]] ShareReach reach_of(const Bounds& interval);
+
+/// Whether an interval of a difference between two levels holds one of kRelevantDifference or more,
+/// either way. An end is taken as it is shown, to a tenth of a point.
+[[nodiscard]] bool reaches_relevant_difference(const Bounds& interval);
 
 /// Conclusions that differ between the analysis and that of everybody, each in a sentence.
 [[nodiscard]] std::vector<std::string> changed_conclusions(const Analysis& analysis,

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/report/words.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace obscura::analysis {
@@ -59,6 +62,24 @@ std::string listed(const std::vector<std::string>& words) {
         text += (i + 1 == words.size() ? " and " : ", ") + words[i];
     }
     return text;
+}
+
+std::string capital(std::string text) {
+    if (!text.empty()) {
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    }
+    return text;
+}
+
+std::string what_is_compared(const Comparison& comparison) {
+    return fmt::format("{} against {}{}{} over {} ({})", comparison.variant_a, comparison.variant_b,
+                       comparison.view.empty() ? "" : " in ", comparison.view,
+                       fmt::join(comparison.levels, ", "), fmt::join(comparison.conditions, ", "));
+}
+
+std::string partner_words(const std::vector<std::string>& without_partner) {
+    return fmt::format("{} {} no partner at another level in the same scene.",
+                       listed(without_partner), without_partner.size() == 1 ? "has" : "have");
 }
 
 std::string who(const Tally& tally, std::int64_t n) {

@@ -37,6 +37,15 @@ inline constexpr const char* kNoValue = "–";
 /// Words joined as in a sentence: `a`, `a and b`, `a, b and c`; `none` for no word.
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
+/// With a capital letter at its beginning.
+[[nodiscard]] std::string capital(std::string text);
+
+/// `None against Blizzard24 in atrium over moderate, high (II, V)`
+[[nodiscard]] std::string what_is_compared(const Comparison& comparison);
+
+/// `I, IV and VII have no partner at another level in the same scene.`
+[[nodiscard]] std::string partner_words(const std::vector<std::string>& without_partner);
+
 /// `simulated observer` for simulated data, `participant` otherwise; a number brings the plural.
 [[nodiscard]] std::string who(const Tally& tally, std::int64_t n);
 

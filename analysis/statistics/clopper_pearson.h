@@ -14,4 +14,9 @@ namespace obscura::analysis {
 [[nodiscard]] Possible<Interval> clopper_pearson(std::int64_t successes, std::int64_t n,
                                                  double confidence = 0.95);
 
+/// The same for a share (0 to 1) of n that need not be a whole number of successes, as of n
+/// participants with several votes each: the ends follow the share without steps.
+[[nodiscard]] Possible<Interval> clopper_pearson_of_share(double share, std::int64_t n,
+                                                          double confidence = 0.95);
+
 }  // namespace obscura::analysis

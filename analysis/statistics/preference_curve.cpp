@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "analysis/statistics/check_votes.h"
+#include "analysis/statistics/logistic.h"
 
 namespace obscura::analysis {
 namespace {
@@ -22,11 +23,6 @@ struct Point {
     double b = 0.0;
 };
 using Points = std::vector<Point>;
-
-double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
-
-/// log(1 + e^x) without overflow.
-double log1p_exp(double x) { return std::max(x, 0.0) + std::log1p(std::exp(-std::abs(x))); }
 
 double log_likelihood(const Points& points, double slope) {
     double sum = 0.0;

@@ -13,7 +13,7 @@ namespace obscura::analysis {
 namespace {
 
 /// The most additions of an exact test.
-constexpr double kMostWork = 2e7;
+constexpr double kMostSums = 2e7;
 
 /// P(|sum of +-sizes| >= |sum|) by convolution: after each size, chance[s] is that of the sum
 /// s - total.
@@ -59,7 +59,7 @@ Possible<SignFlipTest> sign_flip(const std::vector<std::int64_t>& differences) {
         return Possible<SignFlipTest>::none("no participant chose one side more often");
     }
     test.is_exact = sizes.size() <= kMostFlipped &&
-                    static_cast<double>(sizes.size()) * static_cast<double>(total) <= kMostWork;
+                    static_cast<double>(sizes.size()) * static_cast<double>(total) <= kMostSums;
     if (test.is_exact) {
         const double p = exact_p(sizes, total, test.sum);
         test.p = {p, std::log10(p)};

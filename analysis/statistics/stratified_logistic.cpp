@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "analysis/statistics/check_votes.h"
+#include "analysis/statistics/logistic.h"
 
 namespace obscura::analysis {
 namespace {
@@ -23,11 +24,6 @@ struct Stratum {
     double none = 0.0;  ///< the term in the model without slope
     double term = 0.0;
 };
-
-double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
-
-/// log(1 + e^x) without overflow.
-double log1p_exp(double x) { return std::max(x, 0.0) + std::log1p(std::exp(-std::abs(x))); }
 
 /// Where the votes for each side lie; nothing was met while low is above high.
 struct Span {

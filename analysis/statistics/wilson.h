@@ -18,4 +18,8 @@ struct Interval {
 [[nodiscard]] Possible<Interval> wilson(std::int64_t successes, std::int64_t n,
                                         double confidence = 0.95);
 
+/// The same for a share (0 to 1) of n that need not be a whole number of successes.
+[[nodiscard]] Possible<Interval> wilson_of_share(double share, std::int64_t n,
+                                                 double confidence = 0.95);
+
 }  // namespace obscura::analysis

@@ -152,6 +152,9 @@ void check(const TrialRecord& trial) {
     base::check_range(where, "second_view_ms", trial.second_view_ms, 0.0, kMaxMilliseconds);
     base::check_range(where, "grey_ms_measured", trial.grey_ms_measured, 0.0, kMaxMilliseconds);
     base::check_range(where, "dropped_frames", trial.dropped_frames, 0, kMaxInt);
+    if (trial.hidden_ms) {
+        base::check_range(where, "hidden_ms", *trial.hidden_ms, 0.0, kMaxMilliseconds);
+    }
     check_text(where, "first_sha256", trial.first_sha256);
     check_text(where, "second_sha256", trial.second_sha256);
     check_utc(where, "answered_utc", trial.answered_utc);

@@ -198,6 +198,7 @@ const Table<TrialRecord>& trials_table() {
                                  column<&R::second_view_ms>("second_view_ms"),
                                  column<&R::grey_ms_measured>("grey_ms_measured"),
                                  column<&R::dropped_frames>("dropped_frames"),
+                                 column<&R::hidden_ms>("hidden_ms"),
                                  column<&R::first_sha256>("first_sha256"),
                                  column<&R::second_sha256>("second_sha256"),
                                  column<&R::answered_utc>("answered_utc"),

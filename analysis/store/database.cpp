@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/store/database.h"
 
-#include <soci/sqlite3/soci-sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cctype>
@@ -33,6 +33,9 @@ constexpr std::string_view kPostgresqlScheme = "postgresql://";
 constexpr int kBusyTimeoutS = 10;
 /// The low byte of an extended result code (https://www.sqlite.org/rescode.html).
 constexpr int kPrimaryCode = 0xff;
+
+/// A store from this size on, 150,000 answers, is not checked index by index.
+constexpr std::uintmax_t kLargeBytes = std::uintmax_t{64} << 20U;
 
 /// First 16 bytes of a database (https://www.sqlite.org/fileformat.html, 1.3.1).
 constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
@@ -81,14 +84,21 @@ std::string percent_encoded(std::string_view path) {
 }
 
 /// How to open a store that is only read. Where its place may be written, a write connection under
-/// query_only is the one that leaves no empty log behind. On a read-only medium nobody else can be
-/// writing, so without a log the file cannot change under us (https://www.sqlite.org/wal.html, 5).
+/// query_only can fold in what a program that was killed left beside it. On a read-only medium
+/// nobody else can be writing, so without a log or journal the file cannot change under us
+/// (https://www.sqlite.org/wal.html, 5).
 std::string read_only_mode(const fs::path& file) {
     std::error_code ignored;
     const bool writable =
         ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
     if (writable) return "?mode=rw";
-    return fs::exists(file.string() + "-wal", ignored) ? "?mode=ro" : "?mode=ro&immutable=1";
+    const bool alone = !fs::exists(file.string() + "-wal", ignored) &&
+                       !fs::exists(file.string() + "-journal", ignored);
+    return alone ? "?mode=ro&immutable=1" : "?mode=ro";
+}
+
+sqlite_api::sqlite3* connection_of(soci::session& session) {
+    return static_cast<soci::sqlite3_session_backend*>(session.get_backend())->conn_;
 }
 
 std::string without_password(const std::string& url) {
@@ -138,13 +148,14 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
     guarded("open", [&] {
         session_.open(soci::sqlite3, fmt::format("db={} timeout={}", uri, kBusyTimeoutS));
         execute("PRAGMA foreign_keys = ON");
-        execute("PRAGMA synchronous = FULL");
+        // FULL would leave the deletion of the journal, which is the commit, to the system's
+        // leisure.
+        execute("PRAGMA synchronous = EXTRA");
         if (read_only) {
             execute("PRAGMA query_only = ON");
             return;
         }
-        auto* backend = static_cast<soci::sqlite3_session_backend*>(session_.get_backend());
-        if (sqlite_api::sqlite3_db_readonly(backend->conn_, "main") != 0) {
+        if (sqlite_api::sqlite3_db_readonly(sqlite(), "main") != 0) {
             throw base::bad_input("cannot write the store {}: it is read-only", name_);
         }
     });
@@ -166,25 +177,75 @@ void Database::open_postgresql(const std::string& url, bool read_only) {
     });
 }
 
-void Database::use_write_ahead_log() {
+void Database::keep_in_one_file() {
     if (system_ != System::kSqlite) return;
     std::string mode;
     // The change of mode does not wait for others by the busy timeout as statements do.
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(kBusyTimeoutS);
     while (mode.empty()) {
         try {
-            session_ << "PRAGMA journal_mode = WAL", soci::into(mode);
+            session_ << "PRAGMA journal_mode = DELETE", soci::into(mode);
         } catch (const soci::sqlite3_soci_error& error) {
             const bool busy = (error.result() & kPrimaryCode) == SQLITE_BUSY;
             if (!busy || std::chrono::steady_clock::now() > give_up) throw;
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
     }
-    if (mode != "wal") {
-        throw base::bad_input(
-            "cannot write the store {}: the file system gives no write-ahead log (journal mode {})",
-            name_, mode);
+    if (mode != "delete") {
+        throw base::failure("cannot write the store {}: its journal mode stays {}", name_, mode);
     }
+}
+
+void Database::do_not_wait_for_the_disk() {
+    if (system_ == System::kSqlite) execute("PRAGMA synchronous = OFF");
+}
+
+void Database::require_whole() {
+    if (system_ != System::kSqlite) return;
+    // The quick check reads every page but does not hold each index against its table; on a large
+    // store that would take three times as long.
+    std::error_code ignored;
+    const bool small = fs::file_size(name_, ignored) < kLargeBytes;
+    std::string finding;
+    session_ << (small ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)"),
+        soci::into(finding);
+    if (finding == "ok") return;
+    std::replace(finding.begin(), finding.end(), '\n', ' ');  // of a message in one line
+    throw damaged("open", finding);
+}
+
+void Database::require_in_place() {
+    if (system_ != System::kSqlite) return;
+    int moved = 0;
+    sqlite_api::sqlite3_file_control(sqlite(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    if (moved == 0) return;
+    std::error_code ignored;
+    throw base::failure(
+        "the store {} {} since it was opened: put it back. Until this program ends, a deleted one "
+        "can be copied from /proc/{}/fd",
+        name_, fs::exists(name_, ignored) ? "was replaced by another file" : "was moved or deleted",
+        ::getpid());
+}
+
+sqlite_api::sqlite3* Database::sqlite() { return connection_of(session_); }
+
+void Database::copy_sqlite_to(soci::session& copy) {
+    sqlite_api::sqlite3* to = connection_of(copy);
+    sqlite_api::sqlite3_backup* backup =
+        sqlite_api::sqlite3_backup_init(to, "main", sqlite(), "main");
+    constexpr int kAllPages = -1;
+    if (backup != nullptr) (void)sqlite_api::sqlite3_backup_step(backup, kAllPages);
+    if (backup == nullptr || sqlite_api::sqlite3_backup_finish(backup) != SQLITE_OK) {
+        throw soci::sqlite3_soci_error(sqlite_api::sqlite3_errmsg(to),
+                                       sqlite_api::sqlite3_errcode(to));
+    }
+}
+
+base::Error Database::damaged(std::string_view doing, std::string_view reason) const {
+    return base::bad_input(
+        "cannot {} the store {}: the database is damaged ({}). Keep this file, go on with a whole "
+        "copy, and see what can be saved: sqlite3 {} .recover | sqlite3 recovered.sqlite",
+        doing, name_, reason, name_);
 }
 
 base::Error Database::translated(std::string_view doing, const soci::soci_error& error) const {
@@ -210,8 +271,7 @@ base::Error Database::translated(std::string_view doing, const soci::soci_error&
                 "cannot {} the store {}: the disk is full or failing ({}); nothing was changed",
                 doing, name_, reason);
         case SQLITE_CORRUPT:
-            return base::failure("cannot {} the store {}: the database is damaged ({})", doing,
-                                 name_, reason);
+            return damaged(doing, reason);
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             return base::failure(
@@ -223,6 +283,7 @@ base::Error Database::translated(std::string_view doing, const soci::soci_error&
 }
 
 Transaction::Transaction(Database& database) : database_(database) {
+    assert(database.reading_ == nullptr);
     database_.execute(database_.system() == Database::System::kSqlite ? "BEGIN IMMEDIATE"
                                                                       : "BEGIN");
 }
@@ -244,17 +305,22 @@ void Transaction::commit() {
 }
 
 ReadTransaction::ReadTransaction(Database& database)
-    : database_(database), outermost_(!database.reading_) {
+    : database_(database), outermost_(database.reading_ == nullptr) {
     if (!outermost_) return;
-    database_.execute(database_.system() == Database::System::kSqlite
-                          ? "BEGIN DEFERRED"
-                          : "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
-    database_.reading_ = true;
+    if (database_.system() == Database::System::kSqlite) {
+        copy_.open(soci::sqlite3, "");
+        database_.copy_sqlite_to(copy_);
+        database_.reading_ = &copy_;
+    } else {
+        database_.execute("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
+        database_.reading_ = &database_.session_;
+    }
 }
 
 ReadTransaction::~ReadTransaction() {
     if (!outermost_) return;
-    database_.reading_ = false;
+    database_.reading_ = nullptr;
+    if (database_.system() == Database::System::kSqlite) return;
     try {
         database_.execute("COMMIT");
     } catch (const soci::soci_error&) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
 
 #include <string>
 #include <string_view>
@@ -22,16 +23,24 @@ class Database {
     /// that cannot be written (or, read-only, a file that is missing); such a file stays as it is.
     Database(const std::string& url, bool read_only);
 
-    [[nodiscard]] soci::session& session() { return session_; }
+    [[nodiscard]] soci::session& session() { return reading_ ? *reading_ : session_; }
     [[nodiscard]] System system() const { return system_; }
     /// The file, or the server's URL without its password: for messages.
     [[nodiscard]] const std::string& name() const { return name_; }
 
     /// Runs a statement without values.
-    void execute(const std::string& statement) { session_ << statement; }
+    void execute(const std::string& statement) { session() << statement; }
 
-    /// SQLite: write-ahead log, so that readers and the one writer do not wait for each other.
-    void use_write_ahead_log();
+    /// SQLite: after a commit everything is in the one file (rollback journal, deleted with each
+    /// commit); a write-ahead log of an earlier version is folded in.
+    void keep_in_one_file();
+    /// SQLite: a commit does not wait for the disk.
+    void do_not_wait_for_the_disk();
+    /// SQLite: throws bad input when a page of the database is damaged. Reads all of it: 1 s for a
+    /// million answers.
+    void require_whole();
+    /// SQLite: throws failure when the file was moved, deleted or replaced since it was opened.
+    void require_in_place();
 
     /// Calls `work` and gives SOCI's errors as base::Error that name the store and `doing`: bad
     /// input for what is no store or may not be written, failure for everything else.
@@ -46,16 +55,20 @@ class Database {
 
   private:
     friend class ReadTransaction;
+    friend class Transaction;
 
     [[nodiscard]] base::Error translated(std::string_view doing,
                                          const soci::soci_error& error) const;
+    [[nodiscard]] base::Error damaged(std::string_view doing, std::string_view reason) const;
+    [[nodiscard]] sqlite_api::sqlite3* sqlite();
+    void copy_sqlite_to(soci::session& copy);
     void open_sqlite(const std::string& file, bool read_only);
     void open_postgresql(const std::string& url, bool read_only);
 
     System system_ = System::kSqlite;
-    bool reading_ = false;  ///< a ReadTransaction is open
     std::string name_;
     soci::session session_;
+    soci::session* reading_ = nullptr;  ///< what the ReadTransaction that is open reads
 };
 
 /// A write transaction as a scope: rolled back unless committed. On SQLite it takes the write lock
@@ -75,8 +88,10 @@ class Transaction {
     bool open_ = true;
 };
 
-/// A scope in which everything that is read is of one moment. Within another such scope it is part
-/// of that one.
+/// A scope in which everything that is read is of one moment, and nothing is written. Within
+/// another such scope it is part of that one. Of SQLite a copy is read, a temporary file that
+/// nobody else sees: a reader of the store itself would keep its writer waiting for as long as it
+/// reads.
 class ReadTransaction {
   public:
     explicit ReadTransaction(Database& database);
@@ -87,6 +102,7 @@ class ReadTransaction {
   private:
     Database& database_;
     bool outermost_;
+    soci::session copy_;
 };
 
 }  // namespace obscura::analysis

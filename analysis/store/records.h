@@ -70,7 +70,7 @@ struct ParticipantRecord {
     std::string participant_id;         ///< unique, made by the program
     Kind kind = Kind::kParticipant;     ///< participant or simulated
     std::optional<int> age_years;       ///< 1 to 120
-    std::string gender;                 ///< free text; empty: not said
+    std::string gender;                 ///< free text, also `rather not say`; empty: no answer
     std::optional<bool> normal_vision;  ///< normal or corrected to normal
     std::optional<bool> naive;          ///< does not know what the study is about
     bool consent = false;
@@ -130,6 +130,9 @@ struct TrialRecord {
     double second_view_ms = 0.0;
     double grey_ms_measured = 0.0;
     int dropped_frames = 0;
+    /// From the first image's onset to the answer: how long the screen was not to be seen whole and
+    /// in front, or the operator's question covered it. Nothing: answered before this was measured.
+    std::optional<double> hidden_ms;
     std::string first_sha256;  ///< of the PNG shown first
     std::string second_sha256;
     std::string answered_utc;

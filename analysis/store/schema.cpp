@@ -115,6 +115,14 @@ std::vector<std::string> checks_of_attention() {
     };
 }
 
+/// How long a trial's screen was not to be seen; trials from before it was measured do not know.
+std::vector<std::string> hidden_stimuli() {
+    return {
+        "ALTER TABLE trials ADD COLUMN hidden_ms {real} "
+        "CHECK (hidden_ms IS NULL OR hidden_ms BETWEEN 0 AND 1e12)",
+    };
+}
+
 /// The statement in the system's own words.
 std::string spelled_for(Database::System system, std::string statement) {
     const bool sqlite = system == Database::System::kSqlite;
@@ -163,7 +171,8 @@ base::Error newer(const Database& database, int met, int known) {
 }  // namespace
 
 const std::vector<Migration>& migrations() {
-    static const std::vector<Migration> steps{{1, first_schema()}, {2, checks_of_attention()}};
+    static const std::vector<Migration> steps{
+        {1, first_schema()}, {2, checks_of_attention()}, {3, hidden_stimuli()}};
     return steps;
 }
 

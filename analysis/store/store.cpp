@@ -119,6 +119,7 @@ struct Store::Impl {
     template <typename Work>
     void change(std::string_view doing, Work&& work) {
         database.guarded(doing, [&] {
+            database.require_in_place();
             Transaction transaction(database);
             work();
             transaction.commit();
@@ -145,22 +146,28 @@ struct Store::Impl {
 Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Impl>(url, access)) {
     Database& database = impl_->database;
     database.guarded("open", [&] {
+        database.require_whole();
         if (access == Access::kReadOnly) {
             require_current(database, migrations());
-        } else {
-            migrate(database, migrations());
-            database.use_write_ahead_log();
+            return;
         }
+        if (access == Access::kThrowaway) database.do_not_wait_for_the_disk();
+        migrate(database, migrations());
+        database.keep_in_one_file();
     });
 }
+
+void Store::require_in_place() { impl_->database.require_in_place(); }
 
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session) {
+void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session,
+                          const std::vector<EventRecord>& events) {
     check(participant);
     check(session);
+    for (const EventRecord& event : events) check(event);
     if (session.participant_id != participant.participant_id || session.kind != participant.kind) {
         throw base::bad_input("session {} is of the {} {}, but the participant given is the {} {}",
                               session.session_id, to_string(session.kind), session.participant_id,
@@ -174,6 +181,7 @@ void Store::begin_session(const ParticipantRecord& participant, const SessionRec
         insert(database.session(), sessions_table(), session);
         insert(database.session(), events_table(),
                EventRecord{session.session_id, session.started_utc, "session started", ""});
+        for (const EventRecord& event : events) insert(database.session(), events_table(), event);
     });
 }
 
@@ -267,13 +275,38 @@ void Store::each_session(const std::function<void(const SessionRecord&)>& take) 
     impl_->each(sessions_table(), "sessions ORDER BY entry", take);
 }
 
+void Store::each_session_with_events(
+    const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take) {
+    of_one_moment([&] {
+        impl_->database.guarded("read", [&] {
+            soci::session& session = impl_->database.session();
+            Rows<SessionRecord> sessions(session, sessions_table(), "sessions ORDER BY entry");
+            Rows<EventRecord> events(session, events_table(),
+                                     "sessions s CROSS JOIN events e WHERE e.session_id = "
+                                     "s.session_id ORDER BY s.entry, e.entry",
+                                     {}, "e.");
+            EventRecord event;
+            bool is_event = events.next(event);
+            std::vector<EventRecord> own;
+            for (SessionRecord record; sessions.next(record); own.clear()) {
+                for (; is_event && event.session_id == record.session_id;
+                     is_event = events.next(event)) {
+                    own.push_back(event);
+                }
+                take(record, own);
+            }
+        });
+    });
+}
+
 void Store::each_answer(const std::function<void(const SessionRecord&)>& take_session,
                         const std::function<void(const TrialRecord&)>& take_trial) {
     static const auto sessions = part_of(
-        sessions_table(), {"session_id", "participant_id", "kind", "study", "state", "exclusion"});
+        sessions_table(),
+        {"session_id", "participant_id", "kind", "study", "study_sha256", "state", "exclusion"});
     static const auto trials =
         part_of(trials_table(), {"session_id", "kind", "trial_index", "condition", "hypothesis",
-                                 "validity", "condition_A", "condition_B", "first_shown",
+                                 "scene", "validity", "condition_A", "condition_B", "first_shown",
                                  "is_A_selected", "response_time_s", "expected", "repeats"});
     of_one_moment([&] {
         impl_->each(sessions, "sessions ORDER BY entry", take_session);
@@ -318,5 +351,13 @@ std::vector<TrialRecord> Store::trials_of(const std::string& session_id) {
 }
 
 std::vector<EventRecord> Store::events() { return impl_->read(events_table(), "ORDER BY entry"); }
+
+std::vector<EventRecord> Store::events_of(const std::string& session_id) {
+    return impl_->read(events_table(), "WHERE session_id = :id ORDER BY entry", {session_id});
+}
+
+std::vector<EventRecord> Store::other_events() {
+    return impl_->read(events_table(), "WHERE session_id IS NULL ORDER BY entry");
+}
 
 }  // namespace obscura::analysis

@@ -14,18 +14,23 @@
 namespace obscura::analysis {
 
 /// The response store: participants, sessions, trials, events in SQLite (or PostgreSQL) through
-/// SOCI. Every change is one transaction that is on the disk (WAL, synchronous FULL) when the call
-/// returns; a call that throws has changed nothing. Errors are base::Error: bad input for a URL or
-/// file that is no such store, a newer schema or a read-only place, and for a record with a value
-/// that is not allowed; failure for a full disk and for what the store's state forbids (a slot that
-/// is taken, a session that is not open, an index already answered).
+/// SOCI. Every change is one transaction that is on the disk when the call returns, and in SQLite's
+/// one file: a plain copy of it made between two calls holds everything. A call that throws has
+/// changed nothing. Errors are base::Error: bad input for a URL or file that is no such store, a
+/// damaged file, a newer schema or a read-only place, and for a record with a value that is not
+/// allowed; failure for a full disk, for a file that was moved, deleted or replaced meanwhile, and
+/// for what the store's state forbids (a slot that is taken, a session that is not open, an index
+/// already answered).
 ///
+/// A change waits for programs that are reading the SQLite file, up to 10 s.
 /// A store is used by one thread at a time.
 class Store {
   public:
     enum class Access {
         kReadWrite,  ///< opens or makes the store, migrates an older schema
         kReadOnly,   ///< must exist with the current schema; is not changed
+        kThrowaway,  ///< as kReadWrite, but a change does not wait for the disk: a store that is
+                     ///< thrown away where the program does not come to its end
     };
 
     /// `url` is sqlite3://FILE or postgresql://...
@@ -34,10 +39,11 @@ class Store {
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
 
-    /// Both rows and the event `session started`, in one transaction. Refuses a participant or
-    /// session already there, and a slot that an open or completed session of the same study, seed
-    /// and kind holds, also one that another process has just begun.
-    void begin_session(const ParticipantRecord& participant, const SessionRecord& session);
+    /// Both rows, the event `session started` and `events` of the session, in one transaction.
+    /// Refuses a participant or session already there, and a slot that an open or completed session
+    /// of the same study, seed and kind holds, also one that another process has just begun.
+    void begin_session(const ParticipantRecord& participant, const SessionRecord& session,
+                       const std::vector<EventRecord>& events = {});
 
     /// One answer. Refuses one for a session that is not open, an index or condition already
     /// answered, or an is_A_selected that does not follow. A trial is of the session's kind, or
@@ -58,18 +64,28 @@ class Store {
     [[nodiscard]] std::vector<std::uint64_t> taken_slots(const std::string& study,
                                                          std::uint64_t seed, Kind kind);
 
+    /// Throws failure when the SQLite file was moved, deleted or replaced since it was opened;
+    /// every change asks this too.
+    void require_in_place();
+
     [[nodiscard]] std::vector<ParticipantRecord> participants();
     [[nodiscard]] std::vector<SessionRecord> sessions();
     /// By session, then trial_index.
     [[nodiscard]] std::vector<TrialRecord> trials();
     [[nodiscard]] std::vector<TrialRecord> trials_of(const std::string& session_id);
     [[nodiscard]] std::vector<EventRecord> events();
+    [[nodiscard]] std::vector<EventRecord> events_of(const std::string& session_id);
+    /// Events that are of no session.
+    [[nodiscard]] std::vector<EventRecord> other_events();
 
     /// The same, a row at a time and in the same order: a million trials need no memory. What
     /// `take` throws ends the reading and goes on to the caller. A record is the callee's for the
     /// call only; it may read the store, not write it.
     void each_participant(const std::function<void(const ParticipantRecord&)>& take);
     void each_session(const std::function<void(const SessionRecord&)>& take);
+    /// Each session with its events, of one moment.
+    void each_session_with_events(
+        const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take);
     /// Each trial with its session, of one moment.
     void each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take);
     /// Sessions, then trials, in order of their rows and with only what an analysis counts: the

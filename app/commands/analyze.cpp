@@ -15,6 +15,8 @@
 #include "app/commands/list.h"
 #include "app/commands/report_input.h"
 #include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "stimuli/view_names.h"
 
 namespace obscura::app {
 namespace {
@@ -23,10 +25,12 @@ struct Options {
     std::string db;  ///< empty: the data folder's
     std::string counts;
     std::string trials;
+    std::vector<std::string> map;  ///< OURS=THEIRS, of the columns of a table
     bool published = false;
     std::string study;
     std::string study_file;
     std::string kind = "participant";
+    bool validity = false;
     bool json = false;
     std::filesystem::path measurement;  ///< empty: the data folder's
     std::filesystem::path out;          ///< empty: nothing is written
@@ -55,11 +59,15 @@ Answers answers_of_store(const std::string& url, const Options& options) {
 
 Answers answers_of(const Options& options, const Globals& globals) {
     if (options.published) return {analysis::published_votes()};
-    if (!options.counts.empty()) return {analysis::read_counts(options.counts)};
+    const analysis::ColumnMap map(options.map);
+    if (!options.map.empty() && options.counts.empty() && options.trials.empty()) {
+        throw base::bad_input("--map {}: it needs --trials or --counts", options.map.front());
+    }
+    if (!options.counts.empty()) return {analysis::read_counts(options.counts, map)};
     if (options.trials.empty()) {
         return answers_of_store(options.db.empty() ? globals.store_url() : options.db, options);
     }
-    Answers answers{analysis::tally_of(analysis::read_trials(options.trials), options.study,
+    Answers answers{analysis::tally_of(analysis::read_trials(options.trials, map), options.study,
                                        *analysis::kind_from(options.kind))};
     answers.attendance = analysis::Possible<analysis::Attendance>::none(
         "a file of answers says nothing of the people");
@@ -79,13 +87,13 @@ std::optional<stimuli::Study> study_of(const Options& options, const analysis::T
     return study;
 }
 
-void write_report(analysis::Analysis result, Answers answers, const Options& options,
+void write_report(analysis::Analysis result, Answers answers,
+                  const std::optional<stimuli::Study>& study, const Options& options,
                   const Globals& globals) {
     analysis::ReportInput input;
     input.analysis = std::move(result);
     input.attendance = std::move(answers.attendance);
-    add_sources(input,
-                {globals.data, study_of(options, input.analysis.tally), options.measurement});
+    add_sources(input, {globals.data, study, options.measurement});
     analysis::write_report(analysis::report_files(input), options.out);
     if (globals.quiet) return;
     fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
@@ -94,11 +102,17 @@ void write_report(analysis::Analysis result, Answers answers, const Options& opt
 base::ExitCode analyze(const Options& options, const Globals& globals) {
     if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
     Answers answers = answers_of(options, globals);
+    for (const std::string& note : answers.tally.notes) {
+        spdlog::warn("{}: {}", answers.tally.source, note);
+    }
+    answers.tally.asks_validity = options.validity;
+    const std::optional<stimuli::Study> study = study_of(options, answers.tally);
+    if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     analysis::Analysis result = analysis::analyse(answers.tally);
     const std::string shown =
         options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
-        write_report(std::move(result), std::move(answers), options, globals);
+        write_report(std::move(result), std::move(answers), study, options, globals);
     }
     fmt::print("{}", shown);
     return base::ExitCode::kDone;
@@ -110,11 +124,19 @@ void attach_sources(CLI::App& app, Options& options) {
                               "[sqlite3://DATA/responses.sqlite]");
     auto* counts = app.add_option(
         "--counts", options.counts,
-        "Votes from a CSV file: condition,hypothesis,validity,variant_a,variant_b,count_a,count_b");
+        "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
+        "condition,hypothesis,validity,scene");
     auto* trials = app.add_option(
         "--trials", options.trials,
-        "Answers from a CSV file, one row a trial: observer,condition_A,condition_B,is_A_selected "
-        "and optional session_id,scene,order; or an exported trials.csv");
+        "Answers from a table, one row a trial: observer,condition_A,condition_B and is_A_selected "
+        "(yes or no), chose_B, or chosen (a variant's name, A or B ...), and where they are there "
+        "session_id,scene,order,response_time; or an exported trials.csv");
+    auto* map = app.add_option("--map", options.map,
+                               "What the table calls a column, as in observer=Subject; empty: its "
+                               "column of our name is something else. Once for each column")
+                    ->type_name("OURS=THEIRS")
+                    ->expected(1)
+                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     auto* published = app.add_flag("--published", options.published,
                                    "The votes of Jakobsen 2010, Table 4, which are built in");
     auto* study =
@@ -122,24 +144,33 @@ void attach_sources(CLI::App& app, Options& options) {
     auto* kind = app.add_option("--kind", options.kind, "Whose answers: participant or simulated")
                      ->check(CLI::IsMember({"participant", "simulated"}))
                      ->capture_default_str();
+    map->excludes(db);
     counts->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
-    published->excludes(counts)->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
+    published->excludes(map)
+        ->excludes(counts)
+        ->excludes(db)
+        ->excludes(trials)
+        ->excludes(study)
+        ->excludes(kind);
     trials->excludes(db);
 }
 
 std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
     auto options = std::make_shared<Options>();
     attach_sources(app, *options);
+    app.add_flag("--validity", options->validity,
+                 "Also ask whether the preference depends on ecological validity, as the built-in "
+                 "study does: the same two variants in the same scene at two levels; corrected "
+                 "together with the hypotheses");
     app.add_flag("--json", options->json, "Print JSON instead of a table");
     auto* out = app.add_option("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
                                "analysis.json, plots/, thumbnails/; what is there is replaced")
                     ->type_name("DIR");
     app.add_option("--study-file", options->study_file,
-                   "Study file, for the report's title and question [the built-in study of that "
-                   "name]")
-        ->type_name("FILE")
-        ->needs(out);
+                   "Study file, for which scenes are the same and for the report's title and "
+                   "question [the built-in study of that name]")
+        ->type_name("FILE");
     app.add_option(
            "--measurement", options->measurement,
            "Table of obscura measure, for speed, error and what relates them to the answers "
@@ -147,6 +178,8 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
         ->type_name("FILE")
         ->needs(out);
     app.footer(
+        "Tables are CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, or JSON as "
+        "jsPsych writes it; other columns are passed over. "
         "The report shows the images of DATA/stimuli/STUDY that the answers were given to. Its "
         "plots "
         "need gnuplot; without it the tables stand alone.");

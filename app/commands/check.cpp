@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "app/commands/list.h"
-#include "renderer/base/error.h"
+#include "app/kiosk/page_check.h"
+#include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
 #include "stimuli/pairs.h"
+#include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/study_reader.h"
 #include "stimuli/study_warnings.h"
 
 namespace obscura::app {
@@ -27,17 +31,24 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals&
 
 base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
     const stimuli::StudySource source = stimuli::study_source(file_or_name);
-    stimuli::Study study;
-    try {
-        study = stimuli::parse_study(source.text, source.name, source.folder);
-    } catch (const base::Error& problems) {
-        if (problems.code() != base::ExitCode::kBadInput) throw;
-        fmt::print("{}\n", problems.what());
+    const auto& [study, of_file] =
+        stimuli::read_study(source.text, stimuli::builtin_scenes(), source.folder);
+    std::vector<stimuli::StudyProblem> problems = of_file;
+    for (auto& problem : kiosk::problems_of_texts(study.shown_texts)) {
+        problems.push_back(std::move(problem));
+    }
+    if (!problems.empty()) {
+        std::stable_sort(problems.begin(), problems.end(),
+                         [](const auto& a, const auto& b) { return a.line < b.line; });
+        fmt::print("{}\n", stimuli::to_lines(problems, source.name));
         return base::ExitCode::kBadInput;
     }
     const std::vector<std::string> warnings = warnings_of(study, globals);
     for (const std::string& warning : warnings) {
         fmt::print("{}: warning: {}\n", source.name, warning);
+    }
+    for (const std::string& note : kiosk::notes_on_pages(study)) {
+        fmt::print("{}: note: {}\n", source.name, note);
     }
     const std::size_t conditions = study.conditions.size();
     const std::size_t count = warnings.size();

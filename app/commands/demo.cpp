@@ -20,6 +20,7 @@
 #include "renderer/base/log.h"
 #include "renderer/base/progress.h"
 #include "stimuli/generate.h"
+#include "stimuli/view_names.h"
 
 namespace obscura::app {
 namespace {
@@ -55,7 +56,7 @@ void refuse_real_answers(const fs::path& file) {
 
 /// What SQLite keeps beside a store while it is open; it must not outlive its store.
 void remove_log(const fs::path& file) {
-    for (const char* ending : {"-wal", "-shm"}) fs::remove(file.string() + ending);
+    for (const char* ending : {"-wal", "-shm", "-journal"}) fs::remove(file.string() + ending);
 }
 
 [[nodiscard]] kiosk::SessionPlan plan_of(const stimuli::Study& study,
@@ -83,7 +84,7 @@ void simulate(const stimuli::Study& study, const fs::path& images, const fs::pat
             fmt::join(choices.unpublished, ", "));
     }
     const stimuli::Manifest manifest = stimuli::load_manifest(images / "manifest.json");
-    Store store(url_of(file), Store::Access::kReadWrite);
+    Store store(url_of(file), Store::Access::kThrowaway);
     kiosk::VirtualClock clock;
     base::Progress progress("simulate", static_cast<std::size_t>(participants), quiet);
     for (int number = 1; number <= participants; ++number) {
@@ -125,8 +126,10 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     export_options.software = kiosk::software_version();
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
-    input.analysis = analysis::analyse(analysis::tally_trials(
-        url_of(file), contents.sessions, contents.trials, study.name, Kind::kSimulated));
+    analysis::Tally tally = analysis::tally_trials(url_of(file), contents.sessions, contents.trials,
+                                                   study.name, Kind::kSimulated);
+    analysis::name_views(tally, stimuli::view_names(study));
+    input.analysis = analysis::analyse(std::move(tally));
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
     add_sources(input, {out, study, {}});
     analysis::write_report(analysis::report_files(input), reports);

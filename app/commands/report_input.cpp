@@ -7,6 +7,7 @@
 #include "stimuli/embedded.h"
 #include "stimuli/manifest.h"
 #include "stimuli/stimulus.h"
+#include "stimuli/variant_names.h"
 
 namespace obscura::app {
 namespace {
@@ -14,15 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 using analysis::ShownImage;
 
-void put_variant(ShownImage& shown, const renderer::Variant& variant) {
+void put_variant(ShownImage& shown, const renderer::Variant& variant, const std::string& name) {
     shown.technique = variant.technique;
-    shown.variant = variant.variant_name();
+    shown.variant = name;
     shown.samples = variant.samples;
+    shown.parameters = variant.all_parameters();
     shown.denoise = variant.denoise;
     shown.depth_format = variant.depth_format;
 }
 
-ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
+ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantNames& names,
+                 const fs::path& folder) {
     ShownImage result;
     result.condition = image.condition;
     result.side = image.side == "a" ? 'A' : 'B';
@@ -30,14 +33,15 @@ ShownImage shown(const stimuli::ManifestImage& image, const fs::path& folder) {
     result.scene = image.source;
     result.camera = image.camera;
     result.validity = image.validity;
-    put_variant(result, image.variant);
+    put_variant(result, image.variant, names.at({image.condition, image.side == "a" ? 'a' : 'b'}));
     result.file = folder / image.file;
     result.sha256 = image.sha256;
     return result;
 }
 
 /// As the study asks for it, where no file was made.
-ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulus) {
+ShownImage planned(const stimuli::Study& study, const stimuli::VariantNames& names,
+                   const stimuli::Stimulus& stimulus) {
     const stimuli::StudyScene& scene = study.scene_of(*stimulus.condition);
     ShownImage result;
     result.condition = stimulus.condition->id;
@@ -46,7 +50,7 @@ ShownImage planned(const stimuli::Study& study, const stimuli::Stimulus& stimulu
     result.scene = scene.source;
     result.camera = scene.camera;
     result.validity = std::string(to_string(scene.validity));
-    put_variant(result, stimulus.choice());
+    put_variant(result, stimulus.choice(), names.at({result.condition, stimulus.side}));
     return result;
 }
 
@@ -59,16 +63,17 @@ void add_images(analysis::ReportInput& input, const ReportSources& sources,
     const fs::path folder = sources.data / "stimuli" / name;
     const fs::path manifest = folder / "manifest.json";
     if (fs::exists(manifest)) {
-        for (const auto& image : stimuli::load_manifest(manifest).images) {
-            input.images.push_back(shown(image, folder));
-        }
+        const stimuli::Manifest made = stimuli::load_manifest(manifest);
+        const stimuli::VariantNames names = stimuli::variant_names(made);
+        for (const auto& image : made.images) input.images.push_back(shown(image, names, folder));
         return;
     }
     input.images_unknown =
         fmt::format("there is no {}; obscura render makes it", manifest.string());
     if (!sources.study) return;
+    const stimuli::VariantNames names = stimuli::variant_names(*sources.study);
     for (const auto& stimulus : stimuli::stimuli_of(*sources.study)) {
-        input.images.push_back(planned(*sources.study, stimulus));
+        input.images.push_back(planned(*sources.study, names, stimulus));
     }
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/kiosk/kiosk.h"
+#include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
 #include "stimuli/study.h"
 
@@ -36,6 +37,10 @@ void refuse_missing_folder(const std::string& url) {
 base::ExitCode run(const Options& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    if (const auto problems = kiosk::problems_of_texts(study.shown_texts); !problems.empty()) {
+        throw base::bad_input(
+            "{}", stimuli::to_lines(problems, stimuli::study_source(options.study).name));
+    }
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
@@ -62,7 +67,9 @@ std::function<base::ExitCode()> attach(CLI::App& command, const Globals& globals
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
-    command.footer("The operator leaves with Ctrl+Shift+Q.");
+    command.footer(
+        "The operator begins with the next participant by Ctrl+Shift+N and leaves with "
+        "Ctrl+Shift+Q.");
     return [options, &globals] { return run(*options, globals); };
 }
 

@@ -60,10 +60,15 @@ double seconds_between(const std::string& from_utc, const std::string& to_utc) {
     return from && to ? *to - *from : 0.0;
 }
 
-Moment moment_now() { return {monotonic_s(), utc_now()}; }
+Moment moment_now() {
+    const double now_s = monotonic_s();
+    return {now_s, utc_now(), now_s};
+}
 
-Moment moment_at(double time_s) {
-    return {time_s, utc_text(wall_clock_s() - (monotonic_s() - time_s))};
+Moment moment_at(double time_s) { return moment_of_press(time_s, time_s); }
+
+Moment moment_of_press(double time_s, double pressed_s) {
+    return {time_s, utc_text(wall_clock_s() - (monotonic_s() - time_s)), pressed_s};
 }
 
 void wait_until(double time_s) {

@@ -24,6 +24,9 @@ namespace obscura::app::kiosk {
 [[nodiscard]] Moment moment_now();
 [[nodiscard]] Moment moment_at(double time_s);
 
+/// The moment of what a key or button did then that went down at `pressed_s`.
+[[nodiscard]] Moment moment_of_press(double time_s, double pressed_s);
+
 /// Returns as soon after that monotonic time as the machine allows.
 void wait_until(double time_s);
 

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/fonts.h"
 
-#include <fontconfig/fontconfig.h>
 #include <imgui.h>
 #include <imgui_freetype.h>
 
 #include <algorithm>
-#include <memory>
 
+#include "app/kiosk/font_files.h"
 #include "renderer/base/error.h"
-#include "renderer/base/log.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -22,85 +20,6 @@ constexpr float kHeading_px = 38.0F;
 constexpr float kSmall_px = 19.0F;
 constexpr float kSmallestScale = 0.72F;
 constexpr float kLargestScale = 2.0F;
-
-template <auto Destroy>
-struct Deleter {
-    template <typename T>
-    void operator()(T* pointer) const {
-        Destroy(pointer);
-    }
-};
-using Pattern = std::unique_ptr<FcPattern, Deleter<FcPatternDestroy>>;
-using CharSet = std::unique_ptr<FcCharSet, Deleter<FcCharSetDestroy>>;
-
-struct FontFile {
-    std::string path;
-    int index = 0;
-    CharSet characters;
-};
-
-/// The font that fontconfig finds best, with `wanted` characters where given.
-[[nodiscard]] FontFile find_font(const char* family, const FcCharSet* wanted) {
-    Pattern pattern(FcPatternCreate());
-    FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-    FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
-    FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
-    if (wanted != nullptr) FcPatternAddCharSet(pattern.get(), FC_CHARSET, wanted);
-    FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
-    FcDefaultSubstitute(pattern.get());
-    FcResult result = FcResultNoMatch;
-    const Pattern match(FcFontMatch(nullptr, pattern.get(), &result));
-    FcChar8* path = nullptr;
-    if (!match || FcPatternGetString(match.get(), FC_FILE, 0, &path) != FcResultMatch) return {};
-    FontFile font;
-    font.path = reinterpret_cast<const char*>(path);
-    FcPatternGetInteger(match.get(), FC_INDEX, 0, &font.index);
-    FcCharSet* characters = nullptr;
-    if (FcPatternGetCharSet(match.get(), FC_CHARSET, 0, &characters) == FcResultMatch) {
-        font.characters.reset(FcCharSetCopy(characters));
-    }
-    return font;
-}
-
-/// The characters of the texts.
-[[nodiscard]] CharSet characters_of(const std::vector<std::string>& texts) {
-    CharSet characters(FcCharSetCreate());
-    for (const std::string& text : texts) {
-        const auto* at = reinterpret_cast<const FcChar8*>(text.data());
-        int left = static_cast<int>(text.size());
-        while (left > 0) {
-            FcChar32 character = 0;
-            const int used = FcUtf8ToUcs4(at, &character, left);
-            if (used <= 0) break;
-            if (character >= ' ') FcCharSetAddChar(characters.get(), character);
-            at += used;
-            left -= used;
-        }
-    }
-    return characters;
-}
-
-/// DejaVu Sans, then fonts for what is still missing.
-[[nodiscard]] std::vector<FontFile> choose_fonts(const FcCharSet* needed) {
-    std::vector<FontFile> fonts;
-    fonts.push_back(find_font("DejaVu Sans", nullptr));
-    if (fonts.back().path.empty()) {
-        throw base::failure("fontconfig finds no TrueType font; install fonts-dejavu-core");
-    }
-    CharSet missing(FcCharSetSubtract(needed, fonts.back().characters.get()));
-    while (FcCharSetCount(missing.get()) > 0) {
-        FontFile font = find_font("sans-serif", missing.get());
-        if (font.path.empty() || !font.characters ||
-            FcCharSetIntersectCount(missing.get(), font.characters.get()) == 0) {
-            spdlog::warn("no font on this system has {} of the characters of the study's texts",
-                         FcCharSetCount(missing.get()));
-            break;
-        }
-        missing.reset(FcCharSetSubtract(missing.get(), font.characters.get()));
-        fonts.push_back(std::move(font));
-    }
-    return fonts;
-}
 
 [[nodiscard]] ImFont* add_font(const std::vector<FontFile>& fonts, float size_px,
                                const ImVector<ImWchar>& ranges) {
@@ -133,8 +52,10 @@ Fonts load_fonts(const std::vector<std::string>& texts, int window_height) {
     ImVector<ImWchar> ranges;
     builder.BuildRanges(&ranges);
 
-    const CharSet needed = characters_of(texts);
-    const std::vector<FontFile> fonts = choose_fonts(needed.get());
+    const std::vector<FontFile> fonts = choose_fonts(characters_of(texts)).files;
+    if (fonts.empty()) {
+        throw base::failure("fontconfig finds no TrueType font; install fonts-dejavu-core");
+    }
     const float scale = std::clamp(static_cast<float>(window_height) / kReferenceHeight,
                                    kSmallestScale, kLargestScale);
     Fonts loaded;

@@ -18,8 +18,8 @@ struct Fonts {
 /// Adds the system's TrueType fonts to the current Dear ImGui context's atlas, in sizes for a
 /// window of that height in pixels, with every character of `texts` (UTF-8) and of the languages
 /// written in Latin, Greek and Cyrillic letters. DejaVu Sans comes first; characters it lacks come
-/// from another font that fontconfig knows. Warns of characters that no font has. Throws failure
-/// when there is no TrueType font at all.
+/// from another font that fontconfig knows. What no font has is left out (problems_of_text() says
+/// it). Throws failure when there is no TrueType font at all.
 [[nodiscard]] Fonts load_fonts(const std::vector<std::string>& texts, int window_height);
 
 }  // namespace obscura::app::kiosk

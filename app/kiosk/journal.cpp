@@ -32,13 +32,14 @@ void Journal::add(std::vector<Row> rows) {
 }
 
 std::optional<std::string> Journal::flush() {
-    while (!waiting_.empty()) {
-        try {
+    try {
+        require_in_place_();
+        while (!waiting_.empty()) {
             commit_(waiting_.front());
-        } catch (const std::exception& error) {
-            return error.what();
+            waiting_.pop_front();
         }
-        waiting_.pop_front();
+    } catch (const std::exception& error) {
+        return error.what();
     }
     return std::nullopt;
 }
@@ -50,10 +51,11 @@ std::string describe(const Row& row) {
     if (trial == nullptr) return name_of(row);
     return fmt::format(
         "{} of session {}: condition {}, {} shown first, {} chosen, response time {:.3f} s, views "
-        "{:.0f} and {:.0f} ms, grey {:.1f} ms, {}",
+        "{:.0f} and {:.0f} ms, grey {:.1f} ms, hidden {:.0f} ms, {}",
         name_of(row), trial->session_id, trial->condition, trial->first_shown,
         trial->is_A_selected ? 'A' : 'B', trial->response_time_s, trial->first_view_ms,
-        trial->second_view_ms, trial->grey_ms_measured, trial->answered_utc);
+        trial->second_view_ms, trial->grey_ms_measured, trial->hidden_ms.value_or(0.0),
+        trial->answered_utc);
 }
 
 }  // namespace obscura::app::kiosk

@@ -17,15 +17,20 @@ namespace obscura::app::kiosk {
 class Journal {
   public:
     /// `commit` returns when the row is on the disk, or throws having changed nothing.
-    explicit Journal(std::function<void(const Row&)> commit) : commit_(std::move(commit)) {}
+    /// `require_in_place` throws when the store is no longer where it was.
+    explicit Journal(
+        std::function<void(const Row&)> commit, std::function<void()> require_in_place = [] {})
+        : commit_(std::move(commit)), require_in_place_(std::move(require_in_place)) {}
 
     void add(std::vector<Row> rows);
-    /// Commits what waits. Gives the reason when that failed; then the rest still waits.
+    /// Commits what waits. Gives the reason when that failed; then the rest still waits. Also where
+    /// nothing waits, the reason why the store is no longer what earlier rows went to.
     [[nodiscard]] std::optional<std::string> flush();
     [[nodiscard]] const std::deque<Row>& waiting() const { return waiting_; }
 
   private:
     std::function<void(const Row&)> commit_;
+    std::function<void()> require_in_place_;
     std::deque<Row> waiting_;
 };
 

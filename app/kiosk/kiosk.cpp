@@ -44,6 +44,16 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
         study.name, fmt::join(alike, "\n  "));
 }
 
+[[nodiscard]] bool is_file(const std::string& store_url) {
+    return store_url.starts_with("sqlite3://");
+}
+
+[[nodiscard]] std::string saved_note(const std::string& store_url) {
+    if (!is_file(store_url)) return "All answers are saved.";
+    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
+                       std::filesystem::path(store_url).filename().string());
+}
+
 /// One kiosk in its window.
 class Kiosk {
   public:
@@ -59,12 +69,15 @@ class Kiosk {
             return store_.open_sessions(study_.name, Kind::kParticipant);
         });
         if (!cut_off) return;
-        for (const analysis::SessionRecord& session : *cut_off) {
-            if (settle(session) == End::kLeft) return;
+        End end = End::kDone;
+        for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
+            end = settle(cut_off->at(i));
         }
-        while (run_new_session() == End::kDone) {
-        }
+        while (end == End::kDone) end = run_new_session();
     }
+
+    /// Rows that the operator gave up.
+    [[nodiscard]] std::size_t unsaved() const { return unsaved_; }
 
   private:
     /// What `work` gives; nothing: the store failed and the operator left. A full-screen kiosk
@@ -74,7 +87,8 @@ class Kiosk {
         -> std::optional<decltype(work())> {
         while (true) {
             try {
-                return work();
+                bool page_shown = false;
+                return done_aside(stage_, page_shown, work);
             } catch (const std::exception& error) {
                 spdlog::error("cannot {}: {}", purpose, error.what());
                 const Trouble trouble{
@@ -112,7 +126,9 @@ class Kiosk {
     End play(Procedure& procedure, std::vector<Row> rows) {
         Journal journal = journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
-        return SessionRunner(stage_, procedure, journal).run();
+        const End end = SessionRunner(stage_, procedure, journal).run();
+        unsaved_ += journal.waiting().size();
+        return end;
     }
 
     /// Asks the operator about a session that was cut off, and does what was chosen.
@@ -135,14 +151,30 @@ class Kiosk {
             shown.refusal = error.what();
             spdlog::warn("session {} cannot be continued: {}", session.session_id, error.what());
         }
-        const std::optional<CutOffChoice> choice = ask_about_cut_off(stage_, shown);
+        const std::optional<CutOffChoice> choice = decide(shown);
         if (!choice) return End::kLeft;
         if (*choice == CutOffChoice::kAbandon) {
             const auto closed = with_store("close a session that was cut off",
                                            [&] { return close(session.session_id); });
             return closed ? End::kDone : End::kLeft;
         }
-        return resume(session, trials, std::move(plan));
+        const bool instructions_read =
+            std::any_of(so_far->events.begin(), so_far->events.end(), [&](const auto& event) {
+                return event.session_id == session.session_id &&
+                       event.name == kInstructionsReadEvent;
+            });
+        return resume(session, trials, instructions_read, std::move(plan));
+    }
+
+    /// Closing a session for good is asked about twice.
+    [[nodiscard]] std::optional<CutOffChoice> decide(const CutOffSession& session) {
+        while (true) {
+            const std::optional<CutOffChoice> choice = ask_about_cut_off(stage_, session);
+            if (choice != CutOffChoice::kAbandon) return choice;
+            const std::optional<bool> sure = ask_whether_to_abandon(stage_, session);
+            if (!sure) return std::nullopt;
+            if (*sure) return choice;
+        }
     }
 
     /// True; also where an earlier try has closed it already.
@@ -156,7 +188,8 @@ class Kiosk {
     }
 
     End resume(const analysis::SessionRecord& session,
-               const std::vector<analysis::TrialRecord>& trials, SessionPlan plan) {
+               const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
+               SessionPlan plan) {
         plan.machine = machine_;
         const Moment now = moment_now();
         double elapsed_s = std::max(0.0, seconds_between(session.started_utc, now.utc));
@@ -166,7 +199,7 @@ class Kiosk {
                 std::max(elapsed_s, trials.back().question_onset_s + trials.back().response_time_s);
         }
         Procedure procedure(study_, std::move(plan));
-        return play(procedure, procedure.resume(trials, elapsed_s, now));
+        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
     }
 
     const stimuli::Study& study_;
@@ -174,6 +207,7 @@ class Kiosk {
     analysis::Store& store_;
     Stage& stage_;
     Machine machine_;
+    std::size_t unsaved_ = 0;
 };
 
 }  // namespace
@@ -189,16 +223,28 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    std::vector<std::string> texts = fixed_texts();
-    texts.insert(texts.end(), {study.question, study.instructions, study.thanks});
+    std::vector<std::string> texts = texts_of_pages(study);
+    const std::string note = saved_note(options.store_url);
+    texts.push_back(note);
     Ui ui(window, texts, study.grey_level);
-    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level)};
+    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level), note};
     spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                  stage.pace.locked ? "presenting waits for the refresh"
                                    : "presenting does not wait for the refresh");
     spdlog::info("answers go to {}", options.store_url);
-    spdlog::info("the operator leaves with Ctrl+Shift+Q");
-    Kiosk(study, manifest, store, stage).run();
+    if (is_file(options.store_url)) {
+        spdlog::info("that one file has every answer whenever a page is shown: copy it as it is");
+    }
+    spdlog::info("{}", kOperatorsKey);
+    Kiosk kiosk(study, manifest, store, stage);
+    kiosk.run();
+    if (kiosk.unsaved() > 0) {
+        throw base::failure(
+            "{} could not be saved in {}: what was answered stands above",
+            kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
+            options.store_url);
+    }
+    store.require_in_place();
 }
 
 }  // namespace obscura::app::kiosk

@@ -22,7 +22,8 @@ struct KioskOptions {
 /// Before anyone sits down, throws bad input when an image is missing or is not that of
 /// the manifest, when the monitor is smaller than the images, or when the store cannot be used;
 /// failure when there is no display or another kiosk is running on an SQLite store. Sessions that
-/// were cut off come first: the operator continues or closes each.
+/// were cut off come first: the operator continues or closes each. Throws failure at the end when
+/// the operator left while something could not be saved.
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options);
 
 }  // namespace obscura::app::kiosk

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "stimuli/variant_names.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -55,6 +56,8 @@ std::optional<double> Procedure::second_image_due_s() const {
 void Procedure::show(Screen screen) {
     screen_ = screen;
     visible_ = false;
+    end_seen_ = false;
+    takes_presses_from_s_ = std::numeric_limits<double>::infinity();
     first_time_ = true;
     seen_before_s_ = 0.0;
     ++request_;
@@ -64,14 +67,21 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
     if (screen_ == Screen::kDone || screen_ == Screen::kLeft) return {};
     if (!(now.time_s >= latest_s_)) return {};
     if (const auto* shown = std::get_if<ScreenPresented>(&event)) {
-        if (!visible_) {
+        if (!visible_ && (!hidden() || screen_ == Screen::kConfirmLeave)) {
             latest_s_ = now.time_s;
             presented(*shown, now.time_s);
         }
         return {};
     }
-    if (!visible_) return {};
+    if (const auto* gone = std::get_if<ScreenHidden>(&event)) return hide(gone->why, now);
+    if (is<ScreenSeen>(event)) return see_again(now);
+    if (!visible_ && !(hidden() && is<LeaveRequested>(event))) return {};
     latest_s_ = now.time_s;
+    if (is<EndSeen>(event)) {
+        end_came_into_view(now.time_s);
+        return {};
+    }
+    if (!is<Tick>(event) && !is<LeaveRequested>(event) && !takes(now)) return {};
     if (screen_ == Screen::kConfirmLeave) {
         if (is<LeaveConfirmed>(event)) return decide_leave(true, now);
         if (is<LeaveCancelled>(event)) return decide_leave(false, now);
@@ -84,6 +94,8 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
 void Procedure::presented(const ScreenPresented& event, double time_s) {
     visible_ = true;
     since_s_ = time_s;
+    takes_presses_from_s_ = time_s + study_->input_delay_ms / kMillisecondsPerSecond;
+    end_seen_ = event.end_in_view;
     // Grey that the operator's question interrupted starts anew; other screens keep their onset.
     if (screen_ == Screen::kGrey) trial_.grey_onset_s = time_s;
     if (first_time_) {
@@ -92,9 +104,23 @@ void Procedure::presented(const ScreenPresented& event, double time_s) {
         if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
     }
     if (screen_ != Screen::kConfirmLeave) {
+        if (gone_since_s_) trial_.hidden_s += time_s - *gone_since_s_;
+        gone_since_s_.reset();
         first_time_ = false;
         trial_.dropped_frames += event.dropped_frames;
     }
+}
+
+/// What made the page scroll to its end does not leave it as well.
+void Procedure::end_came_into_view(double time_s) {
+    if (end_seen_) return;
+    end_seen_ = true;
+    takes_presses_from_s_ =
+        std::max(takes_presses_from_s_, time_s + study_->input_delay_ms / kMillisecondsPerSecond);
+}
+
+bool Procedure::takes(const Moment& pressed) const {
+    return end_seen_ && pressed.pressed_s >= takes_presses_from_s_;
 }
 
 std::vector<Row> Procedure::participant_did(const Event& event, const Moment& now) {
@@ -110,7 +136,7 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
         case Screen::kInstructions:
             if (is<InstructionsRead>(event)) {
                 show(Screen::kPairs);
-                return {event_record("instructions read", "", now)};
+                return {event_record(kInstructionsReadEvent, "", now)};
             }
             break;
         case Screen::kPairs:
@@ -187,8 +213,9 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .display = plan_.machine.display,
                     .refresh_hz = plan_.machine.refresh_hz,
                     .exclusion = study_->exclusion.to_json()};
+    rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
     show(Screen::kInstructions);
-    return {std::move(rows), event_record(kStimuliEvent, digest_of(plan_.images), now)};
+    return {std::move(rows)};
 }
 
 std::vector<Row> Procedure::answer(bool first, const Moment& now) {
@@ -216,8 +243,9 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.hypothesis = condition.hypothesis;
     row.scene = scene.id;
     row.validity = std::string(stimuli::to_string(scene.validity));
-    row.condition_A = condition.a.variant_name();
-    row.condition_B = condition.b.variant_name();
+    const stimuli::VariantNames names = stimuli::variant_names(*study_);
+    row.condition_A = names.at({condition.id, 'a'});
+    row.condition_B = names.at({condition.id, 'b'});
     row.first_shown = a_first ? 'A' : 'B';
     row.response_first = first;
     row.is_A_selected = first == a_first;
@@ -229,6 +257,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.second_view_ms = trial_.second_view_s * kMillisecondsPerSecond;
     row.grey_ms_measured = (trial_.second_onset_s - trial_.grey_onset_s) * kMillisecondsPerSecond;
     row.dropped_frames = trial_.dropped_frames;
+    row.hidden_ms = trial_.hidden_s * kMillisecondsPerSecond;
     row.first_sha256 = image(pair_, 0).sha256;
     row.second_sha256 = image(pair_, 1).sha256;
     row.answered_utc = now.utc;
@@ -237,8 +266,54 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     return row;
 }
 
+std::string Procedure::place() const {
+    const std::string pair = fmt::format("pair {}", pair_ + 1);
+    switch (screen_ == Screen::kConfirmLeave ? covered_ : screen_) {
+        case Screen::kFirstImage:
+            return pair + ", first image";
+        case Screen::kGrey:
+            return pair + ", grey interval";
+        case Screen::kSecondImage:
+            return pair + ", second image";
+        case Screen::kQuestion:
+            return pair + ", question";
+        default:
+            return "between the pairs";
+    }
+}
+
+void Procedure::go_out_of_sight(double time_s) {
+    seen_before_s_ = seen_s(time_s);
+    visible_ = false;
+    takes_presses_from_s_ = std::numeric_limits<double>::infinity();
+    if (!gone_since_s_) gone_since_s_ = time_s;
+}
+
+std::vector<Row> Procedure::hide(const std::string& why, const Moment& now) {
+    if (hidden_why_ == why) return {};
+    latest_s_ = now.time_s;
+    if (!hidden()) {
+        hidden_since_s_ = now.time_s;
+        if (screen_ != Screen::kConfirmLeave) go_out_of_sight(now.time_s);
+    }
+    hidden_why_ = why;
+    if (!session_open()) return {};
+    return {event_record(why, place(), now)};
+}
+
+std::vector<Row> Procedure::see_again(const Moment& now) {
+    if (!hidden()) return {};
+    latest_s_ = now.time_s;
+    hidden_why_.clear();
+    if (screen_ != Screen::kConfirmLeave) ++request_;
+    if (!session_open()) return {};
+    const double gone_ms = (now.time_s - hidden_since_s_) * kMillisecondsPerSecond;
+    return {event_record("seen again", fmt::format("after {:.0f} ms, {}", gone_ms, place()), now)};
+}
+
 std::vector<Row> Procedure::request_leave(const Moment& now) {
-    const double seen_before_s = seen_s(now.time_s);
+    go_out_of_sight(now.time_s);
+    const double seen_before_s = seen_before_s_;
     covered_ = screen_;
     show(Screen::kConfirmLeave);
     seen_before_s_ = seen_before_s;
@@ -262,7 +337,7 @@ analysis::EventRecord Procedure::event_record(std::string name, std::string deta
 }
 
 std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& answered,
-                                   double elapsed_s, const Moment& now) {
+                                   bool instructions_read, double elapsed_s, const Moment& now) {
     if (static_cast<int>(answered.size()) > pair_count()) {
         throw base::bad_input("session {} has {} answers, the study has {} pairs", plan_.session_id,
                               answered.size(), pair_count());
@@ -290,7 +365,7 @@ std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& ans
         rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
         show(Screen::kThanks);
     } else {
-        show(Screen::kPairs);
+        show(instructions_read && !answered.empty() ? Screen::kPairs : Screen::kInstructions);
     }
     return rows;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,11 +33,13 @@ enum class Screen {
 /// What the participant filled in.
 struct Form {
     std::optional<int> age_years;
-    std::string gender;  ///< free text; empty: not said
+    std::string gender;  ///< free text, or kRatherNotSayStored; empty: no answer
     std::optional<bool> normal_vision;
     std::optional<bool> naive;
     bool consent = false;
 };
+/// What the store keeps where someone chose not to say.
+inline constexpr const char* kRatherNotSayStored = "rather not say";
 inline constexpr int kYoungest_years = 1;
 inline constexpr int kOldest_years = 120;
 
@@ -58,36 +61,51 @@ struct InstructionsRead {};
 struct PairPressed {
     int pair = 0;  ///< from 0, in order of showing
 };
-struct SpacePressed {};
+struct SpacePressed {};  ///< or what else the study lets end the look at an image
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
 struct NextParticipant {};
 /// The first frame of the screen asked for last is visible.
 struct ScreenPresented {
-    int dropped_frames = 0;  ///< whole refresh periods by which it came too late
+    int dropped_frames = 0;   ///< whole refresh periods by which it came too late
+    bool end_in_view = true;  ///< nothing of the page is left to scroll to
 };
+/// The end of a page that is taller than the window has come into view.
+struct EndSeen {};
 /// Time passes. A screen asked for now would be visible at `expected_onset_s`.
 struct Tick {
     double expected_onset_s = 0.0;
 };
+/// From now on the screen is not to be seen whole and in front, or takes no input.
+struct ScreenHidden {
+    std::string why;  ///< the event's name: lost focus, iconified, covered, resized, monitor lost
+};
+/// It is to be seen again, and to be shown anew.
+struct ScreenSeen {};
 struct LeaveRequested {};
 struct LeaveConfirmed {};
 struct LeaveCancelled {};
 using Event = std::variant<StartPressed, FormSubmitted, InstructionsRead, PairPressed, SpacePressed,
-                           Answered, NextParticipant, ScreenPresented, Tick, LeaveRequested,
-                           LeaveConfirmed, LeaveCancelled>;
+                           Answered, NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden,
+                           ScreenSeen, LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
 /// When an event happened.
 struct Moment {
     double time_s = 0.0;  ///< one monotonic clock
     std::string utc;      ///< ISO 8601 with Z
+    /// When the key or button went down that made it happen; a click happens when it goes up.
+    double pressed_s = time_s;
 };
+
+/// The event that tells that the instructions were read.
+inline constexpr const char* kInstructionsReadEvent = "instructions read";
 
 // What must be on the disk before the next screen is shown.
 struct BeginSession {
     analysis::ParticipantRecord participant;
     analysis::SessionRecord session;
+    std::vector<analysis::EventRecord> events;  ///< in the same transaction
 };
 struct CompleteSession {
     std::string session_id;
@@ -102,9 +120,11 @@ using Row =
 ///
 /// It knows no window, clock or database. Events go in; out come the rows to commit, and then the
 /// screen to show. Nothing a participant does counts before the screen is visible
-/// (ScreenPresented), and no event counts that is stamped earlier than one already taken; so no
-/// time in a row is ever negative. Time that the operator's question covers a screen is no viewing
-/// or response time; a grey interval it interrupts starts anew.
+/// (ScreenPresented) and its end was in view, nor what was pressed before the study's input delay
+/// after that; and no event counts that is stamped earlier than one already taken, so no time in a
+/// row is ever negative. While a screen is hidden nothing is taken but the operator's wish to
+/// leave. Time that the operator's question covers a screen, or that it is hidden, is no viewing or
+/// response time but the trial's hidden_ms; a grey interval it interrupts starts anew.
 class Procedure {
   public:
     /// A new participant. `study` must outlive the procedure.
@@ -114,10 +134,12 @@ class Procedure {
     [[nodiscard]] std::vector<Row> step(const Event& event, const Moment& now);
 
     /// Continues a session that was cut off, at the first pair without an answer; gives its rows.
+    /// The instructions come first unless they were read and a pair was answered.
     /// `answered` holds its trials so far, from index 0 without a gap; `elapsed_s` is the time
     /// since the session began. Throws bad input when the trials are not those of the plan.
     [[nodiscard]] std::vector<Row> resume(const std::vector<analysis::TrialRecord>& answered,
-                                          double elapsed_s, const Moment& now);
+                                          bool instructions_read, double elapsed_s,
+                                          const Moment& now);
 
     /// Takes another order of the same conditions, for a session of which no pair was shown yet.
     void change_order(stimuli::SessionOrder order);
@@ -125,11 +147,19 @@ class Procedure {
     [[nodiscard]] Screen screen() const { return screen_; }
     /// Grows by one whenever screen() is to be shown (again): ScreenPresented is due.
     [[nodiscard]] int request() const { return request_; }
+    /// Whether the end of the visible screen was in view.
+    [[nodiscard]] bool end_seen() const { return end_seen_; }
+    /// The screen takes what is pressed from then on; nothing before it is visible. The operator's
+    /// wish to leave is taken at any time.
+    [[nodiscard]] double takes_presses_from_s() const { return takes_presses_from_s_; }
     /// The pair that is next or being shown, from 0; pair_count() after the last.
     [[nodiscard]] int pair() const { return pair_; }
     [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
     /// Whether the session has begun and is not complete.
     [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
+    /// Whether the screen is hidden; it is shown, and ScreenPresented due, only after ScreenSeen.
+    /// The operator's question is shown all the same.
+    [[nodiscard]] bool hidden() const { return !hidden_why_.empty(); }
     /// The image of that pair shown first (position 0) or second (position 1).
     [[nodiscard]] const StimulusImage& image(int pair, int position) const;
     /// While the grey interval is visible: when the second image is due to be visible.
@@ -145,21 +175,31 @@ class Procedure {
         double question_onset_s = 0.0;
         double first_view_s = 0.0;
         double second_view_s = 0.0;
+        double hidden_s = 0.0;
         int dropped_frames = 0;
     };
 
     void show(Screen screen);
     void presented(const ScreenPresented& event, double time_s);
+    void end_came_into_view(double time_s);
+    [[nodiscard]] bool takes(const Moment& pressed) const;
     std::vector<Row> participant_did(const Event& event, const Moment& now);
     std::vector<Row> begin(const Form& form, const Moment& now);
     std::vector<Row> answer(bool first, const Moment& now);
+    std::vector<Row> hide(const std::string& why, const Moment& now);
+    std::vector<Row> see_again(const Moment& now);
+    /// The screen ceases to be visible until it is presented again.
+    void go_out_of_sight(double time_s);
     std::vector<Row> request_leave(const Moment& now);
     std::vector<Row> decide_leave(bool leave, const Moment& now);
     [[nodiscard]] analysis::TrialRecord trial_record(bool first, const Moment& now) const;
     [[nodiscard]] analysis::EventRecord event_record(std::string name, std::string detail,
                                                      const Moment& now) const;
-    /// How long the participant has seen the screen, without what the operator's question covered.
-    [[nodiscard]] double seen_s(double time_s) const { return seen_before_s_ + time_s - since_s_; }
+    [[nodiscard]] std::string place() const;
+    /// How long the participant has seen the screen, without what covered or hid it.
+    [[nodiscard]] double seen_s(double time_s) const {
+        return seen_before_s_ + (visible_ ? time_s - since_s_ : 0.0);
+    }
 
     const stimuli::Study* study_;
     SessionPlan plan_;
@@ -169,7 +209,12 @@ class Procedure {
     bool visible_ = false;
     bool first_time_ = true;  ///< this screen has not been visible before
     double since_s_ = 0.0;    ///< visible without a break since then
+    bool end_seen_ = false;
+    double takes_presses_from_s_ = std::numeric_limits<double>::infinity();
     double seen_before_s_ = 0.0;
+    std::optional<double> gone_since_s_;  ///< hidden or covered since then
+    std::string hidden_why_;              ///< empty: not hidden
+    double hidden_since_s_ = 0.0;
     double latest_s_;  ///< of all events taken
     bool began_ = false;
     double began_s_ = 0.0;

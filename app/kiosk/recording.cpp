@@ -15,7 +15,7 @@ struct Commit {
     analysis::Store& store;
 
     void operator()(const BeginSession& row) const {
-        store.begin_session(row.participant, row.session);
+        store.begin_session(row.participant, row.session, row.events);
     }
     void operator()(const analysis::TrialRecord& row) const { store.add_trial(row); }
     void operator()(const CompleteSession& row) const {
@@ -120,17 +120,20 @@ void commit_begin(analysis::Store& store, const stimuli::Study& study, Procedure
 }  // namespace
 
 Journal journal_to(analysis::Store& store) {
-    return Journal([&store](const Row& row) { commit(store, row); });
+    return Journal([&store](const Row& row) { commit(store, row); },
+                   [&store] { store.require_in_place(); });
 }
 
 Journal journal_to(analysis::Store& store, const stimuli::Study& study, Procedure& procedure) {
-    return Journal([&store, &study, &procedure](const Row& row) {
-        if (const auto* begin = std::get_if<BeginSession>(&row)) {
-            commit_begin(store, study, procedure, *begin);
-        } else {
-            commit(store, row);
-        }
-    });
+    return Journal(
+        [&store, &study, &procedure](const Row& row) {
+            if (const auto* begin = std::get_if<BeginSession>(&row)) {
+                commit_begin(store, study, procedure, *begin);
+            } else {
+                commit(store, row);
+            }
+        },
+        [&store] { store.require_in_place(); });
 }
 
 }  // namespace obscura::app::kiosk

@@ -8,8 +8,10 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <map>
 
 #include "app/kiosk/clock.h"
+#include "app/kiosk/letters.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 
@@ -25,11 +27,35 @@ constexpr double kImageWait_s = 0.5;
            screen == Screen::kSecondImage;
 }
 
-/// What a key means on that screen, beside what Dear ImGui makes of it.
-[[nodiscard]] std::optional<Event> meaning_of(const KeyPress& press, Screen screen) {
+/// The key that a study file calls so.
+[[nodiscard]] int key_named(const std::string& name) {
+    static const std::map<std::string, int> kNamed{
+        {"space", GLFW_KEY_SPACE},     {"enter", GLFW_KEY_ENTER},
+        {"left", GLFW_KEY_LEFT},       {"right", GLFW_KEY_RIGHT},
+        {"up", GLFW_KEY_UP},           {"down", GLFW_KEY_DOWN},
+        {"page-up", GLFW_KEY_PAGE_UP}, {"page-down", GLFW_KEY_PAGE_DOWN}};
+    if (const auto named = kNamed.find(name); named != kNamed.end()) return named->second;
+    const char letter = name.at(0);
+    return letter >= '0' && letter <= '9' ? GLFW_KEY_0 + (letter - '0') : key_of_letter(letter);
+}
+
+[[nodiscard]] bool advances(const KeyPress& press, const stimuli::Study& study) {
+    return std::any_of(study.advance.begin(), study.advance.end(), [&](const std::string& name) {
+        const int key = key_named(name);
+        const bool on_pad = (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
+                            (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
+                             press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
+        return press.key == key || on_pad;
+    });
+}
+
+/// What a key means on that screen, beside what its page makes of it.
+[[nodiscard]] std::optional<Event> meaning_of(const KeyPress& press, Screen screen,
+                                              const stimuli::Study& study) {
     if (is_operators_key(press)) return LeaveRequested{};
+    if (screen == Screen::kThanks && is_operators_key(press, 'n')) return NextParticipant{};
     if (is_still(screen)) {
-        if (press.key == GLFW_KEY_SPACE) return SpacePressed{};
+        if (advances(press, study)) return SpacePressed{};
         return std::nullopt;
     }
     if (screen != Screen::kQuestion) return std::nullopt;
@@ -47,14 +73,28 @@ constexpr double kImageWait_s = 0.5;
     }
 }
 
+[[nodiscard]] Trouble trouble_of(const Row& row, const std::string& reason) {
+    return {"This could not be saved", reason,
+            fmt::format("It is {}; everything before it is saved. Make room or mend the store, "
+                        "then try again. Leaving gives it up: it is then written to the terminal "
+                        "only, and the session can be continued at that pair.",
+                        name_of(row))};
+}
+
 }  // namespace
 
 SessionRunner::End SessionRunner::run() {
     asked_s_ = monotonic_s();
     while (true) {
+        watch();
         if (!save()) return End::kLeft;
         if (procedure_.screen() == Screen::kDone) return End::kDone;
         if (procedure_.screen() == Screen::kLeft) return End::kLeft;
+        if (procedure_.hidden() && procedure_.screen() != Screen::kConfirmLeave) {
+            go_on_hidden();
+            continue;
+        }
+        hidden_page_ = false;
         if (procedure_.request() != presented_) {
             show_first_frame();
             if (procedure_.screen() == Screen::kPairs && !load_pair()) return End::kLeft;
@@ -65,24 +105,72 @@ SessionRunner::End SessionRunner::run() {
 }
 
 bool SessionRunner::save() {
-    while (const std::optional<std::string> reason = journal_.flush()) {
-        spdlog::error("cannot save {}: {}", describe(journal_.waiting().front()), *reason);
-        const Trouble trouble{
-            "This could not be saved", *reason,
-            fmt::format(
-                "It is {}; everything before it is saved. Make room or mend the store, then "
-                "try again. Leaving gives it up: it is then written to the terminal only, "
-                "and the session can be continued at that pair.",
-                name_of(journal_.waiting().front()))};
+    bool covered = false;
+    while (const std::optional<std::string> reason = flush(covered)) {
+        const bool nothing_waits = journal_.waiting().empty();
+        spdlog::error("cannot save {}: {}",
+                      nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
+                      *reason);
+        const Trouble trouble =
+            nothing_waits ? Trouble{"The store of the answers is not where it was", *reason,
+                                    "Put it back, then try again. After leaving, the session can "
+                                    "be continued at this place."}
+                          : trouble_of(journal_.waiting().front(), *reason);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
             return false;
         }
-        // The trouble stood over the screen, which is asked for only now.
+        covered = true;
+    }
+    if (covered) {
+        // Another page stood over the screen, which is asked for only now.
         presented_ = 0;
+        hidden_page_ = false;
         asked_s_ = monotonic_s();
     }
     return true;
+}
+
+std::optional<std::string> SessionRunner::flush(bool& covered) {
+    if (journal_.waiting().empty()) {
+        // A store that is gone is noticed before the next page, not in the middle of a pair.
+        const bool page_due = procedure_.request() != presented_ && !is_still(procedure_.screen());
+        return page_due ? journal_.flush() : std::nullopt;
+    }
+    bool page_shown = false;
+    auto reason = done_aside(stage_, page_shown, [this] { return journal_.flush(); });
+    covered = covered || page_shown;
+    return reason;
+}
+
+void SessionRunner::watch() {
+    const Sight sight = stage_.window.sight();
+    if (sight == Sight::kClear) {
+        feed(ScreenSeen{}, moment_now());
+    } else {
+        feed(ScreenHidden{to_string(sight)}, moment_now());
+    }
+}
+
+void SessionRunner::go_on_hidden() {
+    constexpr double kRestore_s = 1.0;
+    const Sight sight = stage_.window.sight();
+    const std::string state = stage_.window.state();
+    const auto page = [&] { hidden_screen(stage_.ui.fonts(), sight, state); };
+    if (!hidden_page_) {
+        draw_first_frame(stage_.ui, page);
+        stage_.window.present();
+        hidden_page_ = true;
+        idle_frames_ = 0;
+        spdlog::warn("{}: {}", to_string(sight), state);
+    } else {
+        draw_next_frame(stage_, page, idle_frames_);
+    }
+    if (monotonic_s() - restored_s_ >= kRestore_s) {
+        stage_.window.restore();
+        restored_s_ = monotonic_s();
+    }
+    forward_presses();
 }
 
 bool SessionRunner::load_pair() {
@@ -114,7 +202,6 @@ void SessionRunner::show_first_frame() {
         draw_still();
     } else {
         draw_first_frame(stage_.ui, [this] { draw_page(); });
-        form_.focus_age = true;  // the first frame's input is forgotten, its focus too
     }
     finish_presenting(asked_s_);
 }
@@ -123,12 +210,14 @@ void SessionRunner::finish_presenting(double asked_s) {
     const double onset_s = stage_.window.present();
     // What was pressed before the screen was visible does not count.
     stage_.window.poll_events();
-    (void)stage_.window.take_keys();
+    stage_.window.input().forget();
     (void)stage_.window.take_damage();
     pressed_.reset();
     idle_frames_ = 0;
     presented_ = procedure_.request();
-    feed(ScreenPresented{dropped_frames(stage_.pace, asked_s, onset_s)}, moment_at(onset_s));
+    const bool end_in_view = is_still(procedure_.screen()) || stage_.ui.end_seen();
+    feed(ScreenPresented{dropped_frames(stage_.pace, asked_s, onset_s), end_in_view},
+         moment_at(onset_s));
 }
 
 void SessionRunner::go_on() {
@@ -146,15 +235,21 @@ void SessionRunner::go_on_with_page() {
     pressed_.reset();
     draw_next_frame(
         stage_, [this] { draw_page(); }, idle_frames_);
-    forward_keys();
-    if (!pressed_) return;
-    const double click_s = stage_.window.last_click_s();
-    feed(*pressed_, click_s >= before_s ? moment_at(click_s) : moment_now());
+    forward_presses();
+    if (pressed_) {
+        // A button of the page is pressed when the mouse lets go of it.
+        const Input& input = stage_.window.input();
+        const bool clicked = input.last_release_s() >= before_s;
+        feed(*pressed_, moment_of_press(clicked ? input.last_release_s() : monotonic_s(),
+                                        input.last_press_s()));
+    }
+    // Last, since it is stamped now and what was pressed before the frame a little earlier.
+    if (stage_.ui.end_seen() && !procedure_.end_seen()) feed(EndSeen{}, moment_now());
 }
 
 void SessionRunner::go_on_with_image() {
     stage_.window.wait_for_events(kImageWait_s);
-    forward_keys();
+    forward_presses();
     if (procedure_.request() == presented_ && stage_.window.take_damage()) {
         draw_still();
         stage_.window.present();
@@ -167,7 +262,7 @@ void SessionRunner::go_on_with_grey() {
     const double left_s = hand_over_s - kPrepare_s - monotonic_s();
     if (left_s > 0.0) {
         stage_.window.wait_for_events(left_s);
-        forward_keys();
+        forward_presses();
         if (procedure_.request() == presented_ && stage_.window.take_damage()) {
             draw_still();
             stage_.window.present();
@@ -215,7 +310,7 @@ void SessionRunner::draw_page() {
             pressed = question_screen(fonts, stage_.study, pair, count);
             break;
         case Screen::kThanks:
-            pressed = thanks_screen(fonts, stage_.study);
+            thanks_screen(fonts, stage_.study, stage_.saved_note);
             break;
         case Screen::kConfirmLeave:
             pressed = leave_screen(fonts, procedure_.session_open());
@@ -230,10 +325,17 @@ void SessionRunner::draw_page() {
     if (pressed) pressed_ = std::move(pressed);
 }
 
-void SessionRunner::forward_keys() {
-    for (const KeyPress& press : stage_.window.take_keys()) {
-        if (const auto event = meaning_of(press, procedure_.screen())) {
+void SessionRunner::forward_presses() {
+    watch();
+    Input& input = stage_.window.input();
+    for (const KeyPress& press : input.take_keys()) {
+        if (const auto event = meaning_of(press, procedure_.screen(), stage_.study)) {
             feed(*event, moment_at(press.time_s));
+        }
+    }
+    for (const double click_s : input.take_clicks()) {
+        if (stage_.study.pointer && is_still(procedure_.screen())) {
+            feed(SpacePressed{}, moment_at(click_s));
         }
     }
 }
@@ -242,6 +344,7 @@ void SessionRunner::feed(const Event& event, const Moment& moment) {
     const int before = procedure_.request();
     journal_.add(procedure_.step(event, moment));
     if (procedure_.request() != before) asked_s_ = moment.time_s;
+    stage_.window.input().open_at(procedure_.takes_presses_from_s());
 }
 
 }  // namespace obscura::app::kiosk

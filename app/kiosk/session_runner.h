@@ -33,10 +33,16 @@ class SessionRunner {
         std::unique_ptr<StimulusTexture> second;
     };
 
-    /// False: the operator left with rows that could not be saved, which were written to the log.
+    /// False: the operator left with rows that could not be saved.
     [[nodiscard]] bool save();
+    /// Why rows could not be saved; `covered` becomes true where a page stood over the screen.
+    [[nodiscard]] std::optional<std::string> flush(bool& covered);
     /// False: an image could not be read and the operator left.
     [[nodiscard]] bool load_pair();
+    /// Tells the procedure whether the window is to be seen.
+    void watch();
+    /// In place of a screen that is hidden.
+    void go_on_hidden();
     void show_first_frame();
     void finish_presenting(double asked_s);
     void go_on();
@@ -46,7 +52,8 @@ class SessionRunner {
     void draw_still();
     /// The procedure's page; keeps what was pressed in `pressed_`.
     void draw_page();
-    void forward_keys();
+    /// To the procedure: keys that its screen knows, clicks on an image.
+    void forward_presses();
     void feed(const Event& event, const Moment& moment);
 
     Stage& stage_;
@@ -57,7 +64,9 @@ class SessionRunner {
     std::optional<Event> pressed_;
     int presented_ = 0;  ///< Procedure::request() of what is visible
     int idle_frames_ = 0;
-    double asked_s_ = 0.0;  ///< when the screen was asked for
+    bool hidden_page_ = false;  ///< shown in place of the screen
+    double restored_s_ = 0.0;   ///< when the window was last brought back
+    double asked_s_ = 0.0;      ///< when the screen was asked for
 };
 
 }  // namespace obscura::app::kiosk

@@ -172,7 +172,8 @@ void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::R
             continue;
         }
         const Action action = next_action(procedure, choices, random, memory);
-        clock.pass(action.after_s);
+        // A page takes nothing at first, however quick the observer.
+        clock.pass(std::max(action.after_s, procedure.takes_presses_from_s() - clock.now().time_s));
         feed(procedure, journal, action.event, clock.now());
     }
 }

@@ -8,9 +8,10 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <limits>
 
+#include "app/kiosk/clock.h"
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/widgets.h"
 #include "renderer/base/error.h"
@@ -24,7 +25,7 @@ Ui::Ui(Window& window, const std::vector<std::string>& texts, int grey_level)
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.UserData = &page_;
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     try {
@@ -44,28 +45,36 @@ Ui::~Ui() {
     ImGui::DestroyContext();
 }
 
-void Ui::take_short_taps() {
-    // Dear ImGui 1.86 reads which keys are down once a frame; one that went down and up between
-    // two frames is shown to it as down for a frame.
+void Ui::begin_page() {
+    page_ = {};
+    ImGui::ClearActiveID();
+    window_.input().open_at(std::numeric_limits<double>::infinity());
+    window_.input().forget();
+}
+
+/// Dear ImGui sees no more of keyboard and mouse than the page may. Keys go to the page alone.
+void Ui::hand_over_input() {
     ImGuiIO& io = ImGui::GetIO();
-    for (const int key : tapped_) {
-        io.KeysDown[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+    Input& input = window_.input();
+    page_.input = input.take_frame();
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+    for (const int button : page_.input.buttons) {
+        if (button < IM_ARRAYSIZE(io.MouseDown)) io.MouseDown[button] = true;
     }
-    tapped_ = window_.take_taps();
-    for (const int key : tapped_) io.KeysDown[key] = true;
+    io.InputQueueCharacters.resize(0);
+    if (!input.open(monotonic_s())) io.MouseWheel = 0.0F;
 }
 
 void Ui::draw(const std::function<void()>& page) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    take_short_taps();
+    hand_over_input();
     ImGui::NewFrame();
     page();
     ImGui::Render();
     draw_grey(window_.size(), grey_level_);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
-
-void Ui::forget_input() { ImGui::ClearActiveID(); }
 
 }  // namespace obscura::app::kiosk

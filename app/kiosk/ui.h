@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/kiosk/fonts.h"
+#include "app/kiosk/page.h"
 #include "app/kiosk/window.h"
 
 namespace obscura::app::kiosk {
@@ -23,17 +24,21 @@ class Ui {
 
     [[nodiscard]] const Fonts& fonts() const { return fonts_; }
 
+    /// The next page begins: at its top, nothing of it seen, and it sees nothing of the input
+    /// until that is opened.
+    void begin_page();
+
     /// Draws a page into the frame; it is not presented yet. `page` calls Dear ImGui.
     void draw(const std::function<void()>& page);
 
-    /// Forgets a mouse button or key that went down before the page was visible.
-    void forget_input();
+    /// Whether the page's end was in view.
+    [[nodiscard]] bool end_seen() const { return page_.end_seen; }
 
   private:
-    void take_short_taps();
+    void hand_over_input();
 
     Window& window_;
-    std::vector<int> tapped_;  ///< keys shown to Dear ImGui as down in the last frame
+    PageState page_;
     int grey_level_;
     Fonts fonts_;
 };

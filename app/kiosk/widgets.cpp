@@ -12,30 +12,16 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/kiosk/theme.h"
+
 namespace obscura::app::kiosk {
 namespace {
 
-const ImVec4 kCard{0.855F, 0.858F, 0.862F, 1.0F};
-const ImVec4 kField{0.955F, 0.957F, 0.960F, 1.0F};
-const ImVec4 kFieldHovered{0.985F, 0.987F, 0.990F, 1.0F};
-const ImVec4 kLine{0.60F, 0.61F, 0.63F, 1.0F};
-const ImVec4 kInk{0.10F, 0.11F, 0.13F, 1.0F};
-const ImVec4 kFaintInk{0.36F, 0.38F, 0.41F, 1.0F};
-const ImVec4 kAccent{0.145F, 0.325F, 0.500F, 1.0F};
-const ImVec4 kAccentHovered{0.180F, 0.395F, 0.595F, 1.0F};
-const ImVec4 kAccentPressed{0.110F, 0.255F, 0.400F, 1.0F};
-const ImVec4 kOnAccent{0.985F, 0.99F, 1.0F, 1.0F};
-const ImVec4 kQuiet{0.745F, 0.752F, 0.762F, 1.0F};
-const ImVec4 kQuietHovered{0.70F, 0.712F, 0.728F, 1.0F};
-const ImVec4 kQuietPressed{0.64F, 0.655F, 0.672F, 1.0F};
-const ImVec4 kComplaint{0.66F, 0.13F, 0.10F, 1.0F};
+using namespace theme;
 
 /// Added to the text's height: space between lines, and for an empty line.
 constexpr float kLeading = 0.32F;
 constexpr float kParagraphGap = 0.25F;
-
-/// Free space between a card and the window's edge, in pixels.
-constexpr float kMargin_px = 24.0F;
 
 }  // namespace
 
@@ -66,31 +52,6 @@ void set_style(float text_px) {
     colours[ImGuiCol_ButtonActive] = kQuietPressed;
     colours[ImGuiCol_NavHighlight] = kAccent;
     colours[ImGuiCol_TextSelectedBg] = {kAccent.x, kAccent.y, kAccent.z, 0.3F};
-}
-
-void card(const char* name, float columns, const std::function<void()>& content,
-          Keyboard keyboard) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float room = screen.x - 2.0F * kMargin_px;
-    const float width = std::round(std::min(room, columns * ImGui::GetFontSize()));
-    ImGui::SetNextWindowPos({screen.x * 0.5F, screen.y * 0.5F}, ImGuiCond_Always, {0.5F, 0.5F});
-    const float tallest = screen.y - 2.0F * kMargin_px;
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, tallest});
-    ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                             ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
-    // Rounding alone must not bring a scroll bar.
-    const ImGuiWindow* before = ImGui::FindWindowByName(name);
-    const float padding = 2.0F * ImGui::GetStyle().WindowPadding.y;
-    if (before == nullptr || before->ContentSize.y + padding <= tallest) {
-        flags |= ImGuiWindowFlags_NoScrollbar;
-    }
-    if (keyboard == Keyboard::kIsLeftToTheCaller) flags |= ImGuiWindowFlags_NoNav;
-    if (ImGui::Begin(name, nullptr, flags)) {
-        if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
-        content();
-    }
-    ImGui::End();
 }
 
 void heading(const Fonts& fonts, const std::string& text) {
@@ -144,12 +105,10 @@ void complaint(const std::string& text) {
 
 void gap(float lines) { ImGui::Dummy({1.0F, ImGui::GetFontSize() * lines}); }
 
-bool enter_pressed() {
-    return ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
-           ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
-}
+namespace {
 
-bool wide_button(const char* label, float width_px, float height, bool primary) {
+[[nodiscard]] bool button(const char* label, float width_px, float height, StopKind kind) {
+    const bool primary = kind == StopKind::kPrimary;
     if (primary) {
         ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, kAccentHovered);
@@ -157,32 +116,158 @@ bool wide_button(const char* label, float width_px, float height, bool primary) 
         ImGui::PushStyleColor(ImGuiCol_Text, kOnAccent);
         ImGui::PushStyleColor(ImGuiCol_Border, kAccentPressed);
     }
-    const bool pressed = ImGui::Button(label, {width_px, height * ImGui::GetFontSize()});
+    const ImGuiID id = ImGui::GetID(label);
+    const bool here = begin_stop(id, kind);
+    const bool clicked = ImGui::Button(label, {width_px, height * ImGui::GetFontSize()});
+    const bool pressed = end_stop(id, here);
     if (primary) ImGui::PopStyleColor(5);
-    return pressed;
+    return clicked || pressed;
+}
+
+/// A radio button or tick box, which are of one size.
+template <typename Draw>
+[[nodiscard]] bool choice(const char* label, const Draw& draw) {
+    const float text_px = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
+    const ImGuiID id = ImGui::GetID(label);
+    const bool here = begin_stop(id);
+    const bool clicked = draw();
+    const bool pressed = end_stop(id, here);
+    ImGui::PopStyleVar();
+    return clicked || pressed;
+}
+
+}  // namespace
+
+bool wide_button(const char* label, float width_px, float height, bool primary) {
+    return button(label, width_px, height, primary ? StopKind::kPrimary : StopKind::kPlain);
 }
 
 bool primary_button(const char* label) {
     const float width = ImGui::CalcTextSize(label).x + 6.0F * ImGui::GetFontSize();
     ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
-    const bool pressed = wide_button(label, width, 2.1F, true);
-    ImGui::SetItemDefaultFocus();
+    const bool pressed = button(label, width, 2.1F, StopKind::kPrimary);
     return pressed || enter_pressed();
 }
 
+bool quiet_button(const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
+    ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
+    return wide_button(label, width, 2.1F, false);
+}
+
 bool radio(const char* label, bool chosen) {
-    const float text_px = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
-    const bool pressed = ImGui::RadioButton(label, chosen);
-    ImGui::PopStyleVar();
-    return pressed;
+    return choice(label, [&] { return ImGui::RadioButton(label, chosen); });
 }
 
 void tick(const char* label, bool& ticked) {
+    bool shown = ticked;
+    if (choice(label, [&] { return ImGui::Checkbox(label, &shown); })) ticked = !ticked;
+}
+
+namespace {
+
+constexpr char32_t kBox = U'\u25A1';
+
+[[nodiscard]] bool is_drawn(char32_t character) {
+    return character <= 0xFFFF &&
+           ImGui::GetFont()->FindGlyphNoFallback(static_cast<ImWchar>(character)) != nullptr;
+}
+
+/// The first `count` characters as they are shown.
+[[nodiscard]] std::string shown_text(const TextEntry& entry, std::size_t count) {
+    std::string shown;
+    for (const char32_t character : entry.text().substr(0, count)) {
+        shown += utf8_of(is_drawn(character) ? character : kBox);
+    }
+    return shown;
+}
+
+[[nodiscard]] float shown_width(const TextEntry& entry, std::size_t count) {
+    const std::string shown = shown_text(entry, count);
+    return ImGui::CalcTextSize(shown.data(), shown.data() + shown.size()).x;
+}
+
+/// The place between characters nearest to there.
+[[nodiscard]] std::size_t caret_at(const TextEntry& entry, float x_px) {
+    std::size_t best = 0;
+    for (std::size_t at = 1; at <= entry.text().size(); ++at) {
+        if (std::abs(shown_width(entry, at) - x_px) < std::abs(shown_width(entry, best) - x_px)) {
+            best = at;
+        }
+    }
+    return best;
+}
+
+void edit(TextEntry& entry, const Stroke& stroke) {
+    if (stroke.character != 0) {
+        entry.type(stroke.character);
+        return;
+    }
+    switch (stroke.key) {
+        case GLFW_KEY_BACKSPACE:
+            entry.erase_before();
+            break;
+        case GLFW_KEY_DELETE:
+            entry.erase_after();
+            break;
+        case GLFW_KEY_LEFT:
+            entry.move(-1);
+            break;
+        case GLFW_KEY_RIGHT:
+            entry.move(1);
+            break;
+        case GLFW_KEY_HOME:
+            entry.move_to(0);
+            break;
+        case GLFW_KEY_END:
+            entry.move_to(entry.text().size());
+            break;
+        default:
+            break;
+    }
+}
+
+}  // namespace
+
+bool has_boxes(const TextEntry& entry) {
+    return !std::all_of(entry.text().begin(), entry.text().end(), is_drawn);
+}
+
+void text_field(const char* name, TextEntry& entry, float width_px) {
+    const ImGuiID id = ImGui::GetID(name);
+    const bool here = begin_stop(id, StopKind::kText);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
     const float text_px = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
-    ImGui::Checkbox(label, &ticked);
-    ImGui::PopStyleVar();
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const float room = width_px - 2.0F * padding;
+    ImGui::InvisibleButton(name, {width_px, ImGui::GetFrameHeight()});
+    const ImVec2 to = ImGui::GetItemRectMax();
+    if (here) {
+        for (const Stroke& stroke : page_state().input.strokes) edit(entry, stroke);
+    }
+    // A text longer than its field shows the part where the caret is.
+    const float off = std::max(0.0F, shown_width(entry, entry.caret()) - room);
+    if (ImGui::IsItemActivated()) {
+        entry.move_to(caret_at(entry, ImGui::GetIO().MousePos.x - from.x - padding + off));
+    }
+    (void)end_stop(id, here);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), rounding);
+    list.PushClipRect({from.x + 0.5F * padding, from.y}, {to.x - 0.5F * padding, to.y}, true);
+    const std::string shown = shown_text(entry, entry.text().size());
+    const float left = from.x + padding - off;
+    const float top = from.y + ImGui::GetStyle().FramePadding.y;
+    list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), shown.data(),
+                 shown.data() + shown.size());
+    if (here) {
+        const float caret = std::round(left + shown_width(entry, entry.caret()));
+        list.AddRectFilled({caret, top}, {caret + std::max(1.0F, 0.08F * text_px), top + text_px},
+                           ImGui::GetColorU32(ImGuiCol_Text));
+    }
+    list.PopClipRect();
 }
 
 void yes_no(const char* name, const std::string& question, std::optional<bool>& answer) {

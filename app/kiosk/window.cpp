@@ -18,9 +18,6 @@
 namespace obscura::app::kiosk {
 namespace {
 
-/// What the pages need; a plain window is at least this large.
-constexpr Extent kSmallestWindow{1024, 720};
-
 [[nodiscard]] std::string glfw_reason() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -88,16 +85,55 @@ struct Window::Callbacks {
         return *static_cast<Window*>(glfwGetWindowUserPointer(window));
     }
     static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
-        if (action != GLFW_PRESS || key == GLFW_KEY_UNKNOWN) return;
-        of(window).keys_.push_back({key, modifiers, monotonic_s()});
-        of(window).taps_.push_back(key);
+        Input& input = of(window).input_;
+        if (action == GLFW_PRESS) input.key_down({key, modifiers, monotonic_s()});
+        if (action == GLFW_REPEAT) input.key_repeats(key, modifiers);
     }
-    static void mouse_button(GLFWwindow* window, int /*button*/, int action, int /*modifiers*/) {
-        if (action == GLFW_RELEASE) of(window).last_click_s_ = monotonic_s();
+    static void character(GLFWwindow* window, unsigned code) {
+        of(window).input_.types(static_cast<char32_t>(code));
+    }
+    static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+        if (action == GLFW_PRESS) of(window).input_.button_down(button, monotonic_s());
+        if (action != GLFW_RELEASE) return;
+        of(window).input_.button_up(button, monotonic_s());
+        // Without a window manager a click alone brings no window to the keys.
+        if (!of(window).focused_) glfwFocusWindow(window);
     }
     static void refresh(GLFWwindow* window) { of(window).damaged_ = true; }
+    static void focus(GLFWwindow* window, int focused) {
+        of(window).focused_ = focused == GLFW_TRUE;
+    }
+    static void iconify(GLFWwindow* window, int iconified) {
+        of(window).iconified_ = iconified == GLFW_TRUE;
+    }
+    static void moved(GLFWwindow* window, int /*x*/, int /*y*/) { of(window).looked_s_ = 0.0; }
+    static void monitor(GLFWmonitor* monitor, int event) {
+        if (with_monitors_ != nullptr) {
+            with_monitors_->note_monitor(monitor, event == GLFW_CONNECTED);
+        }
+    }
     static void close(GLFWwindow* window) { glfwSetWindowShouldClose(window, GLFW_FALSE); }
 };
+
+const char* to_string(Sight sight) {
+    switch (sight) {
+        case Sight::kClear:
+            return "";
+        case Sight::kMonitorLost:
+            return "monitor lost";
+        case Sight::kResized:
+            return "resized";
+        case Sight::kIconified:
+            return "iconified";
+        case Sight::kCovered:
+            return "covered";
+        case Sight::kLostFocus:
+            return "lost focus";
+    }
+    return "";
+}
+
+Window* Window::with_monitors_ = nullptr;
 
 Window::Window(const WindowOptions& options) {
     if (glfwInit() != GLFW_TRUE) {
@@ -105,60 +141,172 @@ Window::Window(const WindowOptions& options) {
                             variable("DISPLAY"), variable("WAYLAND_DISPLAY"));
     }
     try {
-        GLFWmonitor* monitor = find_monitor(options.monitor);
-        const Extent place = size_of(monitor);
-        require_room(place, options.room,
-                     fmt::format("monitor {} ({})", options.monitor, glfwGetMonitorName(monitor)));
-        Extent wanted = place;
-        if (options.windowed) {
-            wanted.width =
-                std::min(place.width, std::max(options.room.width, kSmallestWindow.width));
-            wanted.height =
-                std::min(place.height, std::max(options.room.height, kSmallestWindow.height));
-        } else if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
-            glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
-        }
-        set_hints();
-        window_ = glfwCreateWindow(wanted.width, wanted.height, "Obscura",
-                                   options.windowed ? nullptr : monitor, nullptr);
-        if (window_ == nullptr) {
-            throw base::failure(
-                "no OpenGL 4.5 core context in a window: {}; the driver is missing or too old "
-                "(Mesa's is in the package libgl1-mesa-dri)",
-                glfw_reason());
-        }
-        glfwMakeContextCurrent(window_);
-        glfwSwapInterval(1);
-        glfwSetWindowUserPointer(window_, this);
-        glfwSetKeyCallback(window_, &Callbacks::key);
-        glfwSetMouseButtonCallback(window_, &Callbacks::mouse_button);
-        glfwSetWindowRefreshCallback(window_, &Callbacks::refresh);
-        glfwSetWindowCloseCallback(window_, &Callbacks::close);
-        glfwFocusWindow(window_);
-        glfwPollEvents();
+        open(options);
+        settle();
         require_room(size(), options.room, "the window");
         gpu_renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-        describe_display(monitor, options.windowed);
+        describe_display();
     } catch (...) {
+        cover_.reset();
         if (window_ != nullptr) glfwDestroyWindow(window_);
         glfwTerminate();
         throw;
     }
+    with_monitors_ = this;
+    glfwSetMonitorCallback(&Callbacks::monitor);
 }
 
 Window::~Window() {
+    with_monitors_ = nullptr;
+    cover_.reset();
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
 
-void Window::describe_display(GLFWmonitor* monitor, bool windowed) {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+void Window::open(const WindowOptions& options) {
+    monitor_ = find_monitor(options.monitor);
+    monitor_name_ = glfwGetMonitorName(monitor_);
+    monitor_size_ = size_of(monitor_);
+    windowed_ = options.windowed;
+    require_room(monitor_size_, options.room,
+                 fmt::format("monitor {} ({})", options.monitor, monitor_name_));
+    glfwGetMonitorPos(monitor_, &wanted_.left, &wanted_.top);
+    wanted_.size = monitor_size_;
+    if (windowed_) {
+        wanted_.size.width =
+            std::min(monitor_size_.width, std::max(options.room.width, kSmallestWindow.width));
+        wanted_.size.height =
+            std::min(monitor_size_.height, std::max(options.room.height, kSmallestWindow.height));
+    } else if (const GLFWvidmode* mode = glfwGetVideoMode(monitor_)) {
+        glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+    }
+    set_hints();
+    window_ = glfwCreateWindow(wanted_.size.width, wanted_.size.height, "Obscura",
+                               windowed_ ? nullptr : monitor_, nullptr);
+    if (window_ == nullptr) {
+        throw base::failure(
+            "no OpenGL 4.5 core context in a window: {}; the driver is missing or too old "
+            "(Mesa's is in the package libgl1-mesa-dri)",
+            glfw_reason());
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    set_callbacks();
+    cover_ = std::make_unique<CoverWatch>(window_);
+    glfwFocusWindow(window_);
+}
+
+void Window::set_callbacks() {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, &Callbacks::key);
+    glfwSetCharCallback(window_, &Callbacks::character);
+    glfwSetMouseButtonCallback(window_, &Callbacks::mouse_button);
+    glfwSetWindowRefreshCallback(window_, &Callbacks::refresh);
+    glfwSetWindowCloseCallback(window_, &Callbacks::close);
+    glfwSetWindowFocusCallback(window_, &Callbacks::focus);
+    glfwSetWindowIconifyCallback(window_, &Callbacks::iconify);
+    glfwSetWindowPosCallback(window_, &Callbacks::moved);
+    glfwSetFramebufferSizeCallback(window_, &Callbacks::moved);
+}
+
+/// Waits until the window is in its place and has the keys, for as long as something happens to it
+/// and a little longer. Without the keys it goes on: a page then says so.
+void Window::settle() {
+    constexpr double kQuiet_s = 5.0;
+    constexpr double kLongest_s = 30.0;
+    const double began_s = monotonic_s();
+    double last_event_s = began_s;
+    focused_ = glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
+    Place before = place();
+    while (!is_in_place() || !focused_) {
+        const double now_s = monotonic_s();
+        if (now_s - last_event_s > kQuiet_s || now_s - began_s > kLongest_s) break;
+        glfwWaitEventsTimeout(0.05);
+        const bool had_focus =
+            std::exchange(focused_, glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE);
+        const Place after = place();
+        if (after != before || focused_ != had_focus) last_event_s = monotonic_s();
+        before = after;
+    }
+    // A plain window may be what the window manager makes of it, if the images have room.
+    if (windowed_) wanted_.size = size();
+    if (!is_in_place()) {
+        throw base::failure("the window does not come to fill the monitor: {}", state());
+    }
+}
+
+void Window::describe_display() {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
     refresh_hz_ = mode != nullptr ? std::max(0, mode->refreshRate) : 0;
     const std::string rate =
         refresh_hz_ > 0.0 ? fmt::format("{} Hz", refresh_hz_) : "unknown refresh rate";
-    display_ =
-        fmt::format("{} {} {}", glfwGetMonitorName(monitor), text_of(size_of(monitor)), rate);
-    if (windowed) display_ += fmt::format(", window {}", text_of(size()));
+    display_ = fmt::format("{} {} {}", monitor_name_, text_of(monitor_size_), rate);
+    if (windowed_) display_ += fmt::format(", window {}", text_of(size()));
+}
+
+Window::Place Window::place() const {
+    Place place;
+    glfwGetWindowPos(window_, &place.left, &place.top);
+    place.size = size();
+    return place;
+}
+
+bool Window::is_in_place() const { return windowed_ ? size() == wanted_.size : place() == wanted_; }
+
+void Window::note_monitor(GLFWmonitor* monitor, bool connected) {
+    looked_s_ = 0.0;
+    if (!connected && monitor == monitor_) monitor_ = nullptr;
+    if (connected && monitor_ == nullptr && monitor_name_ == glfwGetMonitorName(monitor)) {
+        monitor_ = monitor;
+    }
+}
+
+Sight Window::sight() {
+    constexpr double kLook_s = 0.25;
+    if (const double now_s = monotonic_s(); now_s - looked_s_ >= kLook_s) {
+        looked_s_ = now_s;
+        in_place_ = is_in_place();
+        monitor_as_it_was_ = monitor_ != nullptr && size_of(monitor_) == monitor_size_;
+    }
+    if (monitor_ == nullptr) return Sight::kMonitorLost;
+    if (iconified_) return Sight::kIconified;
+    if (!monitor_as_it_was_ || !in_place_) return Sight::kResized;
+    if (cover_->covered()) return Sight::kCovered;
+    return focused_ ? Sight::kClear : Sight::kLostFocus;
+}
+
+std::string Window::state() const {
+    const Place now = place();
+    const std::string monitor =
+        monitor_ == nullptr ? fmt::format("the monitor {} is gone, it was {}", monitor_name_,
+                                          text_of(monitor_size_))
+                            : fmt::format("the monitor {} is {}, it was {}", monitor_name_,
+                                          text_of(size_of(monitor_)), text_of(monitor_size_));
+    return fmt::format("{}; the window is {} at {}, {}, it should be {} at {}, {}", monitor,
+                       text_of(now.size), now.left, now.top, text_of(wanted_.size), wanted_.left,
+                       wanted_.top);
+}
+
+void Window::restore() {
+    looked_s_ = 0.0;
+    if (monitor_ == nullptr || size_of(monitor_) != monitor_size_) return;
+    if (windowed_) {
+        if (!is_in_place()) glfwSetWindowSize(window_, wanted_.size.width, wanted_.size.height);
+        return;
+    }
+    if (iconified_) {
+        glfwRestoreWindow(window_);
+        return;
+    }
+    if (!is_in_place()) {
+        // To the monitor by way of a plain window: GLFW asks for nothing that it believes it has.
+        const auto& [left, top, extent] = wanted_;
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
+        const int rate = mode != nullptr ? mode->refreshRate : GLFW_DONT_CARE;
+        glfwSetWindowMonitor(window_, nullptr, left, top, extent.width, extent.height, rate);
+        glfwSetWindowMonitor(window_, monitor_, 0, 0, extent.width, extent.height, rate);
+    }
+    glfwFocusWindow(window_);
 }
 
 Extent Window::size() const {
@@ -170,10 +318,6 @@ Extent Window::size() const {
 void Window::wait_for_events(double timeout_s) { glfwWaitEventsTimeout(std::max(1e-4, timeout_s)); }
 
 void Window::poll_events() { glfwPollEvents(); }
-
-std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
-
-std::vector<int> Window::take_taps() { return std::exchange(taps_, {}); }
 
 bool Window::take_damage() { return std::exchange(damaged_, false); }
 

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
-#include <vector>
+
+#include "app/kiosk/input.h"
+
+#include "app/kiosk/cover_watch.h"
 
 struct GLFWwindow;
 struct GLFWmonitor;
@@ -14,7 +18,11 @@ namespace obscura::app::kiosk {
 struct Extent {
     int width = 0;
     int height = 0;
+    bool operator==(const Extent&) const = default;
 };
+
+/// What the pages need; a plain window is at least this large.
+inline constexpr Extent kSmallestWindow{1024, 720};
 
 struct WindowOptions {
     int monitor = 0;        ///< index of the monitor, from 0
@@ -22,18 +30,19 @@ struct WindowOptions {
     Extent room;            ///< the window must hold an image of this size at 1:1
 };
 
-/// A key that went down; held keys do not repeat.
-struct KeyPress {
-    int key = 0;        ///< GLFW_KEY_...
-    int modifiers = 0;  ///< GLFW_MOD_...
-    double time_s = 0.0;
-};
+/// What keeps a window from being seen whole and in front, and from the keys. Each but the first
+/// is the name of an event.
+enum class Sight { kClear, kMonitorLost, kResized, kIconified, kCovered, kLostFocus };
+/// `monitor lost`, `resized`, `iconified`, `covered`, `lost focus`; nothing for kClear.
+[[nodiscard]] const char* to_string(Sight sight);
 
 /// The one window with its OpenGL 4.5 core context, which is current while the window lives.
 /// Closing it by the window manager does nothing. One at a time.
 class Window {
   public:
-    /// Throws failure when there is no display or no driver, naming it; bad input when the monitor
+    /// Returns when the window is where it belongs: a window manager brings it there in its own
+    /// time. Throws failure when there is no display or no driver, naming it, or when the window
+    /// does not come to fill the monitor, saying where it is instead; bad input when the monitor
     /// does not exist or is smaller than `room`, naming both sizes.
     explicit Window(const WindowOptions& options);
     ~Window();
@@ -52,16 +61,20 @@ class Window {
     /// Lets events in; returns at the latest after that time.
     void wait_for_events(double timeout_s);
     void poll_events();
-    /// What came in since the last call.
-    [[nodiscard]] std::vector<KeyPress> take_keys();
-    /// The keys among them (GLFW_KEY_...), for a second reader: what went down since its last call,
-    /// though it may be up again.
-    [[nodiscard]] std::vector<int> take_taps();
-    /// When a mouse button last went up.
-    [[nodiscard]] double last_click_s() const { return last_click_s_; }
+    /// What keyboard and mouse did.
+    [[nodiscard]] Input& input() { return input_; }
     /// Whether the system lost what was drawn, so that it must be drawn again; asked once.
     [[nodiscard]] bool take_damage();
     void hide_pointer();
+
+    /// As far as this can be known (CoverWatch says what cannot); the graver before the lesser. The
+    /// monitor and the window's place are asked for at most every quarter of a second.
+    [[nodiscard]] Sight sight();
+    /// How the monitor and the window are and how they should be: for the operator.
+    [[nodiscard]] std::string state() const;
+    /// Brings the window back, as far as it can be: where it belongs, and on the whole monitor also
+    /// back from an icon, before other windows and to the keys. Never changes the monitor.
+    void restore();
 
     /// Shows what was drawn and waits until it is shown; gives the monotonic time.
     double present();
@@ -69,15 +82,40 @@ class Window {
   private:
     struct Callbacks;
 
-    void describe_display(GLFWmonitor* monitor, bool windowed);
+    /// Where the window is, in the screen's pixels.
+    struct Place {
+        int left = 0;
+        int top = 0;
+        Extent size;
+        bool operator==(const Place&) const = default;
+    };
+
+    void open(const WindowOptions& options);
+    void settle();
+    void set_callbacks();
+    void describe_display();
+    [[nodiscard]] Place place() const;
+    [[nodiscard]] bool is_in_place() const;
+    void note_monitor(GLFWmonitor* monitor, bool connected);
+
+    static Window* with_monitors_;  ///< GLFW tells of monitors without naming a window
 
     GLFWwindow* window_ = nullptr;
+    GLFWmonitor* monitor_ = nullptr;  ///< nullptr: it is gone
+    std::string monitor_name_;
+    bool windowed_ = false;
+    Place wanted_;         ///< of the window; its size only where it is windowed
+    Extent monitor_size_;  ///< as it was at first
+    std::unique_ptr<CoverWatch> cover_;
+    bool focused_ = true;
+    bool iconified_ = false;
+    bool in_place_ = true;
+    bool monitor_as_it_was_ = true;
+    double looked_s_ = 0.0;  ///< when the place and the monitor were last asked for
     std::string gpu_renderer_;
     std::string display_;
     double refresh_hz_ = 0.0;
-    std::vector<KeyPress> keys_;
-    std::vector<int> taps_;
-    double last_click_s_ = 0.0;
+    Input input_;
     bool damaged_ = false;
 };
 

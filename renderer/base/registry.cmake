@@ -1,7 +1,7 @@
 # obscura_registry(TARGET FOLDER TYPE FUNCTION SHADERS): reads FOLDER/list, where a line is a name and
-# the other sources (.cpp) and shaders that belong to it. Each FOLDER/NAME.cpp joins TARGET and defines `TYPE NAME_FOLDER()`;
-# FUNCTION, which gives all of them in the list's order, is written here. The shaders are appended to
-# the list that SHADERS names.
+# the other sources (.cpp) and shaders that belong to it. Each FOLDER/NAME.cpp joins TARGET and
+# defines `TYPE NAME_FOLDER()`; FUNCTION, which gives all of them in the list's order, is written
+# here. The shaders are appended to the list that SHADERS names.
 function(obscura_registry target folder type function shaders)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
         "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/list")
@@ -21,6 +21,9 @@ function(obscura_registry target folder type function shaders)
         set(sources ${words})
         list(FILTER sources INCLUDE REGEX "\\.cpp$")
         target_sources(${target} PRIVATE ${sources})
+        # Each speaks of its own parts in the same words, so they are not compiled as one unit.
+        set_source_files_properties("${folder}/${name}.cpp" ${sources} PROPERTIES
+            SKIP_UNITY_BUILD_INCLUSION ON)
         list(FILTER words EXCLUDE REGEX "\\.cpp$")
         list(APPEND ${shaders} ${words})
     endforeach()

@@ -12,7 +12,7 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 8. A sphere before empty sky, with the far plane at 100 m and at 1000 km.
-void run(Bench& bench, const Technique& technique) {
+void run_background(Bench& bench, const Technique& technique) {
     Scene scene = shapes::empty();
     shapes::add_sphere(scene, {0.0F, 0.0F, -5.0F}, 1.0F);
     const int size = bench.options().size_px;
@@ -48,6 +48,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase background_case() { return {8, "background", run}; }
+HardCase background_case() { return {8, "background", run_background}; }
 
 }  // namespace obscura::renderer

@@ -30,7 +30,7 @@ double rmse_to_middle(const Shot& shot, const Values& values, const Shot& larger
 }
 
 /// Case 4. An image against the middle of one that is half as large again with the same pixels.
-void run(Bench& bench, const Technique& technique) {
+void run_border(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px / 16 * 16;  // tiles of rotations stay in step
     const Scene scene = shapes::clutter();
     const Camera camera = shapes::camera(5.0F);
@@ -55,6 +55,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase border_case() { return {4, "screen border", run}; }
+HardCase border_case() { return {4, "screen border", run_border}; }
 
 }  // namespace obscura::renderer

@@ -87,7 +87,7 @@ void compare_times(Bench& bench, const TechniqueChoice& choice, std::vector<Plac
 /// Case 5. R stays 1 m while the camera comes as near as 0.1 m, where R covers far more than the
 /// image. The work is counted on the definition, which the shader is held against pixel by pixel:
 /// no more look-ups than the descriptor says, and no cliff in them.
-void run(Bench& bench, const Technique& technique) {
+void run_close_up(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
     const TechniqueChoice choice = Bench::settings(technique, 1.0);
     std::vector<Place> list = places();
@@ -117,6 +117,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase close_up_case() { return {5, "close-up", run}; }
+HardCase close_up_case() { return {5, "close-up", run_close_up}; }
 
 }  // namespace obscura::renderer

@@ -41,7 +41,7 @@ Scene around_camera() {
 }
 
 /// Case 14. A clear message or a sound image; a row that is refused holds, with the message.
-void run(Bench& bench, const Technique& technique) {
+void run_degenerate(Bench& bench, const Technique& technique) {
     const std::pair<const char*, Scene> scenes[] = {{"triangles without area", zero_area()},
                                                     {"coincident faces", coincident()},
                                                     {"a vertex that is not a number", with_nan()},
@@ -62,6 +62,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase degenerate_case() { return {14, "degenerate geometry", run}; }
+HardCase degenerate_case() { return {14, "degenerate geometry", run_degenerate}; }
 
 }  // namespace obscura::renderer

@@ -70,7 +70,7 @@ Scene ball_on_floor() {
 }
 
 /// Case 11, for every filter.
-void run(Bench& bench, const Technique& technique) {
+void run_noise_and_blur(Bench& bench, const Technique& technique) {
     if (technique.ray_traced) return;  // it has neither tile nor filter
     const int size = bench.options().size_px;
     for (const Denoise& filter : denoise_filters()) {
@@ -97,6 +97,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase denoise_case() { return {11, "noise and blur", run}; }
+HardCase denoise_case() { return {11, "noise and blur", run_noise_and_blur}; }
 
 }  // namespace obscura::renderer

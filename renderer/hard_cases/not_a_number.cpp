@@ -38,7 +38,7 @@ std::string scale_reach(const Technique& technique, double share, TechniqueChoic
 
 /// Case 6. The float buffer is looked at before the technique's last clamp, which would hide a NaN.
 /// An odd size puts a pixel's ray exactly on the view axis.
-void run(Bench& bench, const Technique& technique) {
+void run_not_a_number(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px / 2 * 2 + 1;
     const std::pair<Normals, const char*> kinds[] = {{Normals::kSound, "sound normals"},
                                                      {Normals::kZero, "normals of length 0"},
@@ -65,6 +65,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase not_a_number_case() { return {6, "not a number", run}; }
+HardCase not_a_number_case() { return {6, "not a number", run_not_a_number}; }
 
 }  // namespace obscura::renderer

@@ -11,7 +11,7 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 13. Sizes that are no multiple of anything; the largest is left out where images are small.
-void run(Bench& bench, const Technique& technique) {
+void run_odd_sizes(Bench& bench, const Technique& technique) {
     const bool large = bench.options().size_px >= 128 && !technique.ray_traced;
     for (const auto& [width, height] : {std::pair(1, 1), {17, 9}, {3, 200}, {1921, 1081}}) {
         if (width > 1000 && !large) continue;
@@ -27,6 +27,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase odd_sizes_case() { return {13, "odd sizes", run}; }
+HardCase odd_sizes_case() { return {13, "odd sizes", run_odd_sizes}; }
 
 }  // namespace obscura::renderer

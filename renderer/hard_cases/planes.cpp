@@ -36,7 +36,7 @@ void measure_plane(Bench& bench, const Technique& technique, float distance_m, f
 
 /// Case 1. The value farthest from what is expected, in the middle of the image. R once grows with
 /// the distance, so that it covers the same pixels, and once is half a metre.
-void run(Bench& bench, const Technique& technique) {
+void run_planes(Bench& bench, const Technique& technique) {
     for (const float distance_m : {1.0F, 10.0F, 100.0F, 1000.0F, 5000.0F}) {
         for (const float tilt_deg : {0.0F, 45.0F, 60.0F, 80.0F, 85.0F, 89.0F}) {
             for (const char* format : {"r32f", "r16f"}) {
@@ -50,6 +50,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase planes_case() { return {1, "tilted planes near and far", run}; }
+HardCase planes_case() { return {1, "tilted planes near and far", run_planes}; }
 
 }  // namespace obscura::renderer

@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kDistance = 5.0F;
 constexpr float kWallAt_m = 0.5F;  ///< of the side wall, to the right of the view axis
-constexpr double kRadius_m = 1.0;
 /// A at half of R from the wall of a right-angled corner: 1 - (acos c - c s) / pi, c = 0.5.
 constexpr double kHalfway = 0.804499;
 
@@ -48,9 +47,10 @@ double mean_halfway(const Shot& shot, const Camera& camera) {
 }
 
 /// Case 10. Fields of view of 10, 60 and 120 degrees and an off-centre frustum.
-void run(Bench& bench, const Technique& technique) {
+void run_projections(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
-    const TechniqueChoice choice = Bench::settings(technique, kRadius_m);
+    constexpr double kCornerRadius_m = 1.0;
+    const TechniqueChoice choice = Bench::settings(technique, kCornerRadius_m);
     for (const float shift : {0.0F, 0.6F}) {
         for (const float fov_deg : {10.0F, 60.0F, 120.0F}) {
             Camera camera = shapes::camera(kDistance);
@@ -82,6 +82,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase projections_case() { return {10, "projections", run}; }
+HardCase projections_case() { return {10, "projections", run_projections}; }
 
 }  // namespace obscura::renderer

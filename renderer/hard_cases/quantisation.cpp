@@ -12,7 +12,7 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 12. A ramp of accessibility through an 8-bit texture, as the driver stores it.
-void run(Bench& bench) {
+void run_quantisation(Bench& bench) {
     constexpr int kSteps = 4096;
     std::vector<float> ramp(kSteps);
     for (int i = 0; i < kSteps; ++i) {
@@ -42,6 +42,6 @@ void run(Bench& bench) {
 
 }  // namespace
 
-HardCase quantisation_case() { return {12, "quantisation", nullptr, run}; }
+HardCase quantisation_case() { return {12, "quantisation", nullptr, run_quantisation}; }
 
 }  // namespace obscura::renderer

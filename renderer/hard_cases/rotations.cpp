@@ -78,7 +78,7 @@ std::array<float, 4> largest_deviations(std::vector<glm::vec3> vectors) {
 
 /// Case 7. The shaders' own rotation, on the GPU, over random vectors, the axes and their
 /// near-negatives.
-void run(Bench& bench) {
+void run_rotations(Bench& bench) {
     const std::array<float, 4> largest = largest_deviations(hard_vectors(bench.options().vectors));
     const char* const quantities[4] = {
         "rotation: largest element of transpose(M) M - 1", "rotation: determinant - 1",
@@ -90,6 +90,6 @@ void run(Bench& bench) {
 
 }  // namespace
 
-HardCase rotations_case() { return {7, "rotations and frames", nullptr, run}; }
+HardCase rotations_case() { return {7, "rotations and frames", nullptr, run_rotations}; }
 
 }  // namespace obscura::renderer

@@ -7,7 +7,7 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 2. A cube 10 R in front of a wall: neither is near enough to occlude the other.
-void run(Bench& bench, const Technique& technique) {
+void run_separated_cube(Bench& bench, const Technique& technique) {
     constexpr float kRadius_m = 0.3F;
     Scene scene = shapes::empty();
     const float wall = -6.0F;
@@ -34,6 +34,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase separated_cube_case() { return {2, "cube far before a wall", run}; }
+HardCase separated_cube_case() { return {2, "cube far before a wall", run_separated_cube}; }
 
 }  // namespace obscura::renderer

@@ -7,7 +7,7 @@ namespace obscura::renderer {
 namespace {
 
 /// Case 3. A thin rod and a slab, each more than R before a wall: the wall stays 1.
-void run(Bench& bench, const Technique& technique) {
+void run_thin_occluder(Bench& bench, const Technique& technique) {
     constexpr float kRadius_m = 0.3F;
     constexpr float kWall = -6.0F;
     const float front = kWall + 1.5F * kRadius_m;
@@ -33,6 +33,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase thin_occluder_case() { return {3, "thin occluder with a gap above R", run}; }
+HardCase thin_occluder_case() { return {3, "thin occluder with a gap above R", run_thin_occluder}; }
 
 }  // namespace obscura::renderer

@@ -22,7 +22,7 @@ double rmse(const Values& a, const Values& b) {
 
 /// Case 9. The same scene with a unit of a millimetre, a metre and a kilometre, and moved by 100 km
 /// to where floats are 8 mm apart; its corners stay exact there.
-void run(Bench& bench, const Technique& technique) {
+void run_units(Bench& bench, const Technique& technique) {
     constexpr float kRadius = 0.3F;
     const int size = bench.options().size_px;
     const Scene scene = shapes::clutter();
@@ -50,6 +50,6 @@ void run(Bench& bench, const Technique& technique) {
 
 }  // namespace
 
-HardCase units_case() { return {9, "units and places", run}; }
+HardCase units_case() { return {9, "units and places", run_units}; }
 
 }  // namespace obscura::renderer

@@ -158,6 +158,25 @@ TEST_F(CommandsTest, AnalyzeOfExportedTrialsGivesTheStoresStatistics) {
               ExitCode::kBadInput);
 }
 
+TEST_F(CommandsTest, AnalyzeTakesTheColumnsOfATableAsTheCommandLineNamesThem) {
+    const fs::path answers = folder / "answers.csv";
+    base::write_file_atomically(answers,
+                                "Subject;left;right;Response\nann;x;y;left\nbob;x;y;right\n");
+    const Ending refused = run(analyze_command(), {"--trials", answers.string()});
+    EXPECT_EQ(refused.code, ExitCode::kBadInput);
+    EXPECT_THAT(refused.message,
+                AllOf(HasSubstr("--map observer=Subject"), HasSubstr("--map condition_A=left"),
+                      HasSubstr("--map chosen=Response")));
+    const Ending read =
+        run(analyze_command(),
+            {"--trials", answers.string(), "--map", "observer=Subject", "--map", "condition_A=left",
+             "--map", "condition_B=right", "--map", "chosen=Response", "--json"});
+    ASSERT_EQ(read.code, ExitCode::kDone) << read.message;
+    EXPECT_EQ(nlohmann::json::parse(read.out)["n_participants"], 2);
+    EXPECT_EQ(run(analyze_command(), {"--map", "observer=Subject"}).code, ExitCode::kBadInput)
+        << "a store has our names";
+}
+
 TEST_F(CommandsTest, PowerSaysWhatIsNeededAndWhatANumberAchieves) {
     const Ending table =
         run(power_command(), {"--share", ".65", "--participants", "36", "--conditions", "7"});

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -39,6 +39,11 @@ TEST(Csv, ReadsWhatRfc4180Allows) {
     EXPECT_EQ(records[2].line, 5);
     EXPECT_TRUE(parse_csv("", "x.csv").empty());
     EXPECT_TRUE(parse_csv("\n\r\n", "x.csv").empty());
+    const auto old = parse_csv("a,\"b\rc\"\r\rd\r", "x.csv");
+    ASSERT_EQ(old.size(), 2U);
+    EXPECT_THAT(old[0].fields, ElementsAre("a", "b\rc"));
+    EXPECT_EQ(old[1].line, 4);
+    EXPECT_THAT(parse_csv("a, \"b, c\" ,d", "x.csv")[0].fields, ElementsAre("a", "b, c", "d"));
     EXPECT_THAT(parse_csv("a,", "x.csv")[0].fields, ElementsAre("a", ""));
 }
 
@@ -52,9 +57,10 @@ TEST(Csv, NamesTheLineOfBadQuotesAndBytes) {
         return "accepted";
     };
     EXPECT_EQ(refusal("a\n\"b\nc"), "x.csv:2: column 1: '\"b': a quote that is never closed");
-    EXPECT_EQ(refusal("a\n\"b\"c"),
-              "x.csv:2: column 1: '\"b\"c': text after a closing quote, allowed is a comma or the "
-              "line's end");
+    EXPECT_EQ(
+        refusal("a\n\"b\"c"),
+        "x.csv:2: column 1: '\"b\"c': text after a closing quote, allowed is a separator or the "
+        "line's end");
     EXPECT_EQ(refusal("a\nb\"c"),
               "x.csv:2: column 1: 'b\"c': a quote in the middle of a field, allowed is one around "
               "the whole field");
@@ -115,32 +121,61 @@ TEST(CountsFile, TheNumberOfParticipantsIsUnknownWhereConditionsDiffer) {
 
 TEST(CountsFile, SaysEverythingThatIsWrongAtOnce) {
     EXPECT_EQ(refusal_of(kHeader + "I,H1,low,A,B,-1,2.5\n"
-                                   "I,H1,lofty,A,,1e3,1000000000001\n"
+                                   "I,H1,lofty,A,,1e13,NaN\n"
                                    "III,H1,low,A,B,1\n"
-                                   ",H1,low,A,B,,12 \n"),
+                                   ",H1,low,A,B,,2.5\n"),
               "votes.csv:2: column count_a: '-1', allowed is a whole number 0 to 1000000000000\n"
-              "votes.csv:2: column count_b: '2.5', allowed is a whole number 0 to 1000000000000\n"
+              "votes.csv:2: column count_b: '2.5', allowed is a whole number 0 to 1000000000000 "
+              "(line 5 too)\n"
               "votes.csv:3: column variant_b is empty\n"
-              "votes.csv:3: column count_a: '1e3', allowed is a whole number 0 to 1000000000000\n"
-              "votes.csv:3: column count_b: '1000000000001', allowed is a whole number 0 to "
-              "1000000000000\n"
-              "votes.csv:3: column validity: 'lofty', allowed are low, moderate, high\n"
+              "votes.csv:3: column count_a: '1e13', allowed is a whole number 0 to 1000000000000\n"
+              "votes.csv:3: column count_b: 'NaN', allowed is a whole number 0 to 1000000000000\n"
+              "votes.csv:3: column validity: 'lofty', allowed are low, moderate, high; --map "
+              "validity= passes the column over\n"
               "votes.csv:3: column condition: 'I' is already in line 2, allowed is one row for "
               "each\n"
-              "votes.csv:4: the row has 6 fields, allowed are 7\n"
-              "votes.csv:5: column condition is empty\n"
+              "votes.csv:4: the row has 6 fields, the header has 7\n"
               "votes.csv:5: column count_a: '', allowed is a whole number 0 to 1000000000000\n"
-              "votes.csv:5: column count_b: '12 ', allowed is a whole number 0 to 1000000000000");
+              "votes.csv:5: column condition is empty");
+}
+
+TEST(CountsFile, NeedsOnlyTheVariantsAndTheirCountsInAnySpellingOfWholeNumbers) {
+    const Tally tally = parse_counts(
+        "Count A;count.b;Variant_A ;variant b;remark\n"
+        "12,0;1e+05;none;crytek;x\n"
+        "+3; 4 ;none;blizzard;y\n",
+        "votes.csv");
+    ASSERT_EQ(tally.conditions.size(), 2U);
+    EXPECT_EQ(tally.conditions[0].votes.n(), 7);
+    EXPECT_EQ(tally.conditions[1].id, "none - crytek");
+    EXPECT_EQ(tally.conditions[1].votes.a, 12);
+    EXPECT_EQ(tally.conditions[1].votes.b, 100'000);
+    EXPECT_THAT(tally.notes, ElementsAre("columns that are not read: remark"));
+    EXPECT_THAT(refusal_of("variant_a,variant_b,count_a,count_b\nx,y,1,2\nx,y,3,4\n"),
+                HasSubstr("votes.csv:3: 'x - y' is already in line 2; where they are two "
+                          "conditions, a column condition names each"));
+    EXPECT_THAT(refusal_of("variant_a,variant_b,count_a,count_b\nx,y,\"12,0\",2\n"),
+                HasSubstr("'12,0'"))
+        << "where commas part fields, one within a number is no decimal comma";
 }
 
 TEST(CountsFile, RefusesHeadersAndFilesThatAreNone) {
-    EXPECT_THAT(refusal_of(""), HasSubstr("votes.csv: the file is empty, allowed is the header "
-                                          "condition,hypothesis,validity"));
+    EXPECT_THAT(refusal_of(""), HasSubstr("votes.csv: the file is empty, allowed is a header with "
+                                          "variant_a, variant_b, count_a, count_b"));
     EXPECT_EQ(refusal_of(kHeader), "votes.csv:1: there is no row below the header");
-    const std::string header = refusal_of("condition,condition,votes,validity\nI,I,2,low\n");
-    EXPECT_THAT(header, HasSubstr("votes.csv:1: column condition stands there twice"));
-    EXPECT_THAT(header, HasSubstr("votes.csv:1: unknown column 'votes', allowed are condition, "));
-    EXPECT_THAT(header, HasSubstr("votes.csv:1: column count_b is missing"));
+    EXPECT_EQ(
+        refusal_of("condition,condition,votes a,variant_a,variant_b,count_b\nI,I,2,x,y,3\n"),
+        "votes.csv:1: columns 1 ('condition') and 2 ('condition') are both condition, allowed "
+        "is one");
+    EXPECT_EQ(refusal_of("condition,votes a,variant_a,variant_b,count_b\nI,2,x,y,3\n"),
+              "votes.csv:1: column count_a is missing; perhaps --map 'count_a=votes a'\n"
+              "votes.csv:1: the file's columns are condition, votes a, variant_a, variant_b, "
+              "count_b");
+    const ColumnMap map({"count_a=votes a"});
+    EXPECT_EQ(parse_counts("votes a,variant_a,variant_b,count_b\n2,x,y,3\n", "votes.csv", map)
+                  .conditions.at(0)
+                  .votes.a,
+              2);
     EXPECT_THROW((void)read_counts("/nowhere/votes.csv"), base::Error);
     EXPECT_THROW((void)read_counts("/"), base::Error);
 }

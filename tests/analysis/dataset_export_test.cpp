@@ -12,9 +12,9 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/store/store.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
@@ -175,8 +175,9 @@ TEST_F(DatasetExport, BidsHasItsRequiredFilesAndNothingWithAnotherName) {
     write(ExportFormat::kBids);
     const std::regex allowed(
         "dataset_description\\.json|README|participants\\.(tsv|json)|\\.obscura-export|"
-        "task-[a-zA-Z0-9]+_beh\\.json|stimuli/.*|"
-        "(sub-[a-zA-Z0-9]+)/beh/\\2_task-[a-zA-Z0-9]+(_run-[0-9]+)?_beh\\.(tsv|json)");
+        "task-[a-zA-Z0-9]+_(beh|events)\\.json|stimuli/.*|sourcedata/events\\.(tsv|json)|"
+        "(sub-[a-zA-Z0-9]+)/beh/"
+        "\\4_task-[a-zA-Z0-9]+(_run-[0-9]+)?_(beh\\.(tsv|json)|events\\.tsv)");
     for (const auto& entry : fs::recursive_directory_iterator(out_)) {
         if (!entry.is_regular_file()) continue;
         const std::string name = fs::relative(entry.path(), out_).string();
@@ -297,7 +298,7 @@ TEST_F(DatasetExport, PsychDsMeasuresEveryColumnAndNumbersEveryRow) {
         }
         ++tables;
     }
-    EXPECT_EQ(tables, 4);
+    EXPECT_EQ(tables, 5);
 }
 
 TEST_F(DatasetExport, AnAnonymousExportOfAnyFormatTellsNothingOfWhoItWas) {

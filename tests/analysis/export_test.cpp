@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/csv.h"
 #include "analysis/export/export.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/store/store.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
@@ -92,6 +92,7 @@ TrialRecord trial_of(const std::map<std::string, std::string>& row) {
     trial.second_view_ms = number(row.at("second_view_ms"));
     trial.grey_ms_measured = number(row.at("grey_ms_measured"));
     trial.dropped_frames = std::stoi(row.at("dropped_frames"));
+    if (!row.at("hidden_ms").empty()) trial.hidden_ms = number(row.at("hidden_ms"));
     trial.first_sha256 = row.at("first_sha256");
     trial.second_sha256 = row.at("second_sha256");
     trial.answered_utc = row.at("answered_utc");
@@ -163,6 +164,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
     trial.second_view_ms = 5e-324;
     trial.grey_ms_measured = 1e12;
     trial.dropped_frames = 2;
+    trial.hidden_ms = 1234.5678901234567;
     Store store = open();
     store.begin_session(participant, session);
     store.add_trial(trial);
@@ -226,7 +228,7 @@ TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
     tests::add_completed(store, 0);
     write();
     const json dictionary = json::parse(base::read_file(out / "data_dictionary.json"));
-    ASSERT_EQ(dictionary.size(), 4U);
+    ASSERT_EQ(dictionary.size(), 5U);
     for (const auto& [file, entries] : dictionary.items()) {
         const auto header = parse_csv(base::read_file(out / file), file)[0].fields;
         EXPECT_EQ(header.size(), entries.size()) << file;
@@ -298,16 +300,16 @@ TEST_F(ExportTest, FilesThatAreThereAreOverwrittenOnlyWhenAsked) {
         ADD_FAILURE() << "overwritten";
     } catch (const base::Error& error) {
         EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
-        EXPECT_THAT(error.what(), HasSubstr("an export of 5 files (participants.csv"));
+        EXPECT_THAT(error.what(), HasSubstr("an export of 6 files (participants.csv"));
         EXPECT_THAT(error.what(), HasSubstr("--force"));
     }
     EXPECT_EQ(base::read_file(out / "trials.csv"), "mine\n");
     EXPECT_FALSE(fs::exists(out / "sessions.csv"));
     write(true);
     EXPECT_NE(base::read_file(out / "trials.csv"), "mine\n");
-    EXPECT_THAT(names_in(out),
-                UnorderedElementsAre("participants.csv", "sessions.csv", "trials.csv",
-                                     "conditions.csv", "data_dictionary.json", ".obscura-export"));
+    EXPECT_THAT(names_in(out), UnorderedElementsAre("participants.csv", "sessions.csv",
+                                                    "trials.csv", "conditions.csv", "events.csv",
+                                                    "data_dictionary.json", ".obscura-export"));
 }
 
 TEST_F(ExportTest, AFileThatIsNotOfAnExportIsOverwrittenOnlyWhenAsked) {

@@ -83,7 +83,7 @@ TEST(Exclusions, OfNobodyAndOfEverybodyAreSaid) {
     EXPECT_EQ(nobody.exclusions->everybody, nullptr);
     const Analysis all = analysed(attentive_and_not("{\"\"min_response_time_s\"\":100}"));
     EXPECT_EQ(all.exclusions->left_out, 20);
-    EXPECT_EQ(all.verdicts[0].conclusion, Conclusion::kTooFew);
+    EXPECT_EQ(all.verdicts[0].conclusion, Conclusion::kNotTested);
     EXPECT_THAT(text_report(all), AllOf(HasSubstr("no votes"), Not(HasSubstr("nan"))));
     EXPECT_THAT(json_report(all), Not(HasSubstr("nan")));
 }
@@ -129,10 +129,15 @@ TEST(Verdicts, OfThePublishedVotesSayThatTheyAreTooFew) {
         EXPECT_THAT(verdict.sentence, HasSubstr("too few participants to say"));
     }
     EXPECT_THAT(analysis.verdicts[0].sentence, AllOf(HasSubstr("p 0.123658"), HasSubstr("380")));
-    EXPECT_THAT(analysis.verdicts[2].sentence,
-                AllOf(HasSubstr("p 0.157894"), HasSubstr("III (moderate) and VI (high)"),
-                      HasSubstr("p 0.092565")));
-    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 4 * .1236577, 1e-5) << "of four tests";
+    EXPECT_THAT(
+        analysis.verdicts[2].sentence,
+        AllOf(HasSubstr("in Sponza over moderate, high (III, VI): chi-square 2.829, df 1, p "
+                        "0.092565"),
+              HasSubstr("p 0.457710"), Not(HasSubstr("0.157894")),
+              HasSubstr("I, IV and VII have no partner")));
+    EXPECT_EQ(analysis.verdicts[0].tests, 4U);
+    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .092565, 1e-5) << "the smallest of four";
+    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 3 * .1236577, 1e-5) << "the next";
     EXPECT_THAT(text_report(analysis), HasSubstr("Holm's correction for 7 tests: none."));
     EXPECT_EQ(analysis.power->n, 36);
     EXPECT_NEAR(analysis.power->shares[1].exact.power, .3563, 5e-5);

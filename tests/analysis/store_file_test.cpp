@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 
@@ -171,19 +172,115 @@ TEST_F(StoreFileTest, AReadOnlyFolderOrFileIsRefusedForWritingAndUntouched) {
     EXPECT_EQ(base::read_file(file), before);
 }
 
-TEST_F(StoreFileTest, ADamagedDatabaseIsNotReadAsIfItWereWhole) {
+TEST_F(StoreFileTest, EachPageThatIsDamagedIsFoundWhenTheStoreIsOpened) {
     { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
-    std::string bytes = base::read_file(file);
-    for (std::size_t page = 2; page * 4096 < bytes.size(); ++page) {
-        bytes.replace(page * 4096, 64, std::string(64, '\x5a'));
+    constexpr std::size_t kPage = 4096;
+    const std::string whole = base::read_file(file);
+    ASSERT_EQ(whole.size() % kPage, 0U);
+    for (std::size_t page = 1; page * kPage < whole.size(); ++page) {
+        for (const char filling : {'\0', '\x5a'}) {
+            std::string bytes = whole;
+            bytes.replace(page * kPage, kPage, std::string(kPage, filling));
+            base::write_file_atomically(file, bytes);
+            expect_refused_and_unchanged("is damaged");
+        }
     }
-    base::write_file_atomically(file, bytes);
-    EXPECT_THROW(
-        {
-            Store store(url(), Store::Access::kReadOnly);
-            (void)store.trials();
-        },
-        base::Error);
+    base::write_file_atomically(file, whole.substr(0, whole.size() - kPage));
+    expect_refused_and_unchanged("is damaged");
+}
+
+[[noreturn]] void be_killed() {
+    ::kill(::getpid(), SIGKILL);
+    std::abort();
+}
+
+/// What a program leaves beside the store that is killed within `work`.
+void in_a_program(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    ::waitpid(child, nullptr, 0);
+}
+
+TEST_F(StoreFileTest, TheLogOfAnEarlierVersionIsFoldedInWhenTheStoreIsOpenedForWriting) {
+    { const Store store(url(), Store::Access::kReadWrite); }
+    in_a_program([&] {
+        Database earlier(url(), false);
+        earlier.execute("PRAGMA journal_mode = WAL");
+        Store store(url(), Store::Access::kReadOnly);  // which leaves the mode as it is
+        Transaction transaction(earlier);
+        earlier.execute(
+            "INSERT INTO events (time_utc, name, detail) VALUES ('2026-05-01T12:00:00Z', 'an "
+            "event', '')");
+        transaction.commit();
+        be_killed();
+    });
+    ASSERT_TRUE(fs::exists(file.string() + "-wal"));
+    fs::copy_file(file, folder / "before.sqlite");
+    const auto events_in = [&](const char* name) {
+        return Store("sqlite3://" + (folder / name).string(), Store::Access::kReadOnly)
+            .events()
+            .size();
+    };
+    EXPECT_EQ(events_in("before.sqlite"), 0U) << "there is nothing to fold in";
+    const Store store(url(), Store::Access::kReadWrite);
+    EXPECT_FALSE(fs::exists(file.string() + "-wal"));
+    EXPECT_FALSE(fs::exists(file.string() + "-shm"));
+    fs::copy_file(file, folder / "after.sqlite");
+    EXPECT_EQ(events_in("after.sqlite"), 1U);
+}
+
+TEST_F(StoreFileTest, AnAnswerCutOffInTheMiddleIsTakenBackWhenTheStoreIsOpened) {
+    { tests::add_completed(*std::make_unique<Store>(url(), Store::Access::kReadWrite), 0); }
+    for (const auto access : {Store::Access::kReadWrite, Store::Access::kReadOnly}) {
+        in_a_program([&] {
+            Database database(url(), false);
+            database.execute("PRAGMA cache_size = 1");  // so that pages go to the file early
+            const Transaction transaction(database);
+            for (int i = 0; i < 200; ++i) {
+                database.execute(
+                    "INSERT INTO events (time_utc, name, detail) VALUES ('2026-05-01T12:00:00Z', "
+                    "'half an answer', 'which no call acknowledged')");
+            }
+            be_killed();
+        });
+        ASSERT_TRUE(fs::exists(file.string() + "-journal"));
+        Store store(url(), access);
+        EXPECT_EQ(store.events().size(), 1U);
+        EXPECT_EQ(store.trials().size(), 7U);
+        EXPECT_FALSE(fs::exists(file.string() + "-journal"));
+    }
+}
+
+TEST_F(StoreFileTest, AStoreThatIsMovedDeletedOrReplacedWhileItIsOpenIsNoticed) {
+    Store store(url(), Store::Access::kReadWrite);
+    store.begin_session(tests::a_participant(0), tests::a_session(0));
+    const auto expect_noticed = [&](const std::string& text) {
+        for (const auto& work :
+             std::vector<std::function<void()>>{[&] { store.require_in_place(); },
+                                                [&] { store.add_trial(tests::a_trial(0, 0)); }}) {
+            try {
+                work();
+                ADD_FAILURE() << "not noticed; expected was: " << text;
+            } catch (const base::Error& error) {
+                EXPECT_EQ(error.code(), ExitCode::kFailed);
+                EXPECT_THAT(error.what(), HasSubstr(text));
+                EXPECT_THAT(error.what(), HasSubstr(file.string()));
+            }
+        }
+    };
+    fs::rename(file, folder / "elsewhere.sqlite");
+    expect_noticed("was moved or deleted");
+    fs::copy_file(folder / "elsewhere.sqlite", file);
+    expect_noticed("was replaced by another file");
+    fs::rename(folder / "elsewhere.sqlite", file);
+    EXPECT_NO_THROW(store.require_in_place());
+    store.add_trial(tests::a_trial(0, 0));
+    EXPECT_EQ(Store(url(), Store::Access::kReadOnly).trials().size(), 1U);
+    fs::remove(file);
+    expect_noticed("was moved or deleted");
 }
 
 const int kNext = migrations().back().version + 1;
@@ -210,6 +307,38 @@ TEST_F(StoreFileTest, AnOlderSchemaIsBroughtUpToDateWithItsRows) {
     migrate(database, one_more_step());  // nothing to do
     EXPECT_EQ(schema_version(database), kNext);
     EXPECT_THROW(migrate(database, migrations()), base::Error);
+}
+
+TEST_F(StoreFileTest, TrialsOfAnOlderStoreDoNotKnowHowLongTheyWereHidden) {
+    {
+        auto older = migrations();
+        std::erase_if(older, [](const Migration& step) { return step.version > 2; });
+        Database database(url(), false);
+        migrate(database, older);
+        database.execute(
+            "INSERT INTO participants (participant_id, kind, gender, consent, created_utc) VALUES "
+            "('p0', 'participant', '', 1, '2026-05-01T12:00:00Z')");
+        database.execute(
+            "INSERT INTO sessions (session_id, participant_id, kind, study, study_sha256, "
+            "order_kind, seed, slot, latin_square, latin_row, swapped, condition_count, state, "
+            "started_utc, software, operating_system, gpu_renderer, display, refresh_hz) VALUES "
+            "('s0', 'p0', 'participant', 'study', '', 'fixed', 1, 0, 0, 0, 0, 2, 'open', "
+            "'2026-05-01T12:00:00Z', '', '', '', '', 0.0)");
+        database.execute(
+            "INSERT INTO trials (session_id, kind, trial_index, condition, hypothesis, scene, "
+            "validity, condition_A, condition_B, first_shown, response_first, is_A_selected, "
+            "response_time_s, first_onset_s, second_onset_s, question_onset_s, first_view_ms, "
+            "second_view_ms, grey_ms_measured, dropped_frames, first_sha256, second_sha256, "
+            "answered_utc) VALUES ('s0', 'participant', 0, 'C0', '', '', 'low', 'None', "
+            "'Crytek8', 'A', 1, 1, 1.0, 1.0, 2.0, 3.0, 1.0, 1.0, 1.0, 0, '', '', "
+            "'2026-05-01T12:00:00Z')");
+    }
+    Store store(url(), Store::Access::kReadWrite);
+    EXPECT_EQ(store.trials().at(0).hidden_ms, std::nullopt);
+    TrialRecord next = tests::a_trial(0, 1);
+    next.hidden_ms = 0.0;
+    store.add_trial(next);
+    EXPECT_EQ(store.trials().at(1).hidden_ms, 0.0);
 }
 
 TEST_F(StoreFileTest, AMigrationThatFailsChangesNothing) {

@@ -234,6 +234,7 @@ TEST_F(StoreTest, RefusesTrialsWithValuesThatCannotBe) {
     refused("grey_ms_measured is -1", [](TrialRecord& trial) { trial.grey_ms_measured = -1.0; });
     refused("trial_index is -1", [](TrialRecord& trial) { trial.trial_index = -1; });
     refused("dropped_frames is -1", [](TrialRecord& trial) { trial.dropped_frames = -1; });
+    refused("hidden_ms is nan", [](TrialRecord& trial) { trial.hidden_ms = std::nan(""); });
     refused("validity is 'lofty', allowed is low, moderate or high",
             [](TrialRecord& trial) { trial.validity = "lofty"; });
     refused("condition is empty", [](TrialRecord& trial) { trial.condition = ""; });

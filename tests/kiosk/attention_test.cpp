@@ -92,7 +92,7 @@ TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair)
         }
         Procedure rest(study_, cut);
         Journal journal = journal_to(store_);
-        journal.add(rest.resume(store_.trials_of(cut.session_id), 100.0, now));
+        journal.add(rest.resume(store_.trials_of(cut.session_id), true, 100.0, now));
         EXPECT_EQ(rest.pair(), answered);
         base::Random random(1);
         VirtualClock clock;

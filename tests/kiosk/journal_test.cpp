@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
+#include <functional>
 
 #include "analysis/store/store.h"
 #include "app/kiosk/clock.h"
@@ -72,6 +76,23 @@ class Recording : public testing::Test {
         last_ = procedure_->step(event, {time_s, utc_text(time_s)});
         journal_->add(last_);
         EXPECT_EQ(journal_->flush(), std::nullopt);
+        if (after_step_) after_step_();
+    }
+    /// What the form gives when it is sent, not yet saved.
+    std::vector<Row> rows_of_beginning() {
+        std::vector<Row> rows;
+        int time_s = 0;
+        for (const Event& event :
+             std::initializer_list<Event>{ScreenPresented{}, StartPressed{}, ScreenPresented{},
+                                          FormSubmitted{{.age_years = 30,
+                                          .gender = "",
+                                          .normal_vision = {},
+                                          .naive = true,
+                                          .consent = true}}}) {
+            ++time_s;
+            rows = procedure_->step(event, {static_cast<double>(time_s), utc_text(time_s)});
+        }
+        return rows;
     }
     void begin() {
         step(0, ScreenPresented{});
@@ -107,6 +128,7 @@ class Recording : public testing::Test {
     std::optional<Journal> journal_;
     std::vector<Row> last_;
     std::vector<Row> answer_rows_;
+    std::function<void()> after_step_;
 };
 
 TEST_F(Recording, EveryAnswerIsInTheStoreBeforeTheNextScreenIsDue) {
@@ -118,6 +140,94 @@ TEST_F(Recording, EveryAnswerIsInTheStoreBeforeTheNextScreenIsDue) {
     answer(30);
     EXPECT_EQ(store_->trials_of("s-1").size(), 2U);
     EXPECT_EQ(store_->sessions()[0].state, analysis::SessionState::kCompleted);
+}
+
+/// Opens a copy of the store's file alone.
+class CopiedStore {
+  public:
+    explicit CopiedStore(const tests::TemporaryFolder& folder) {
+        const auto copy = folder / "copy.sqlite";
+        std::filesystem::copy_file(folder / "responses.sqlite", copy,
+                                   std::filesystem::copy_options::overwrite_existing);
+        store_.emplace("sqlite3://" + copy.string(), analysis::Store::Access::kReadOnly);
+    }
+    analysis::Store* operator->() { return &*store_; }
+
+  private:
+    std::optional<analysis::Store> store_;
+};
+
+TEST_F(Recording, ACopyOfTheOneFileHasAllThatIsSavedAtEveryPage) {
+    std::size_t rows = 0;
+    std::size_t answers = 0;
+    after_step_ = [&] {
+        rows += last_.size();
+        for (const Row& row : last_)
+            answers += std::holds_alternative<analysis::TrialRecord>(row) ? 1 : 0;
+        CopiedStore copy(folder_);
+        ASSERT_EQ(copy->trials().size(), answers);
+        ASSERT_EQ(copy->trials(), store_->trials());
+        ASSERT_EQ(copy->sessions(), store_->sessions());
+        ASSERT_EQ(copy->events(), store_->events());
+    };
+    begin();
+    answer(10);
+    EXPECT_EQ(answers, 1U);
+    answer(30);
+    EXPECT_EQ(answers, 2U);
+    EXPECT_EQ(CopiedStore(folder_)->sessions().at(0).state, analysis::SessionState::kCompleted);
+    EXPECT_EQ(rows, 5U) << "the session, that the instructions were read, two answers, the end";
+    EXPECT_EQ(CopiedStore(folder_)->events().size(), 3U);
+}
+
+TEST_F(Recording, ACopyOfTheOneFileHasEveryAnswerAfterTheProgramWasKilled) {
+    store_.reset();  // no connection passes a fork
+    for (int answers = 0; answers <= 2; ++answers) {
+        std::filesystem::remove(folder_ / "responses.sqlite");
+        const pid_t child = ::fork();
+        if (child == 0) {
+            SetUp();
+            begin();
+            for (int i = 0; i < answers; ++i) answer(10 + 20 * i);
+            ::kill(::getpid(), SIGKILL);
+        }
+        ::waitpid(child, nullptr, 0);
+        CopiedStore copy(folder_);
+        EXPECT_EQ(copy->trials().size(), static_cast<std::size_t>(answers));
+        ASSERT_EQ(copy->sessions().size(), 1U);
+        EXPECT_EQ(copy->sessions()[0].state == analysis::SessionState::kCompleted, answers == 2);
+    }
+}
+
+TEST_F(Recording, ASessionAndTheDigestOfItsImagesAreOneTransaction) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((folder_ / "responses.sqlite").c_str(), &database), SQLITE_OK);
+    const auto execute = [&](const char* sql) {
+        EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK)
+            << sqlite3_errmsg(database);
+    };
+    execute(
+        "CREATE TRIGGER no_digest BEFORE INSERT ON events WHEN NEW.name = 'stimuli digest' "
+        "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
+    const std::vector<Row> rows = rows_of_beginning();
+    journal_->add(rows);
+    EXPECT_NE(journal_->flush(), std::nullopt);
+    EXPECT_TRUE(store_->sessions().empty());
+    EXPECT_TRUE(store_->events().empty());
+    execute("DROP TRIGGER no_digest");
+    sqlite3_close(database);
+    EXPECT_EQ(journal_->flush(), std::nullopt);
+    ASSERT_EQ(store_->events().size(), 2U);
+    EXPECT_EQ(store_->events()[1].name, kStimuliEvent);
+}
+
+TEST_F(Recording, AStoreThatIsGoneIsNoticedThoughNothingWaitsToBeSaved) {
+    begin();
+    EXPECT_EQ(journal_->flush(), std::nullopt);
+    std::filesystem::rename(folder_ / "responses.sqlite", folder_ / "elsewhere.sqlite");
+    EXPECT_NE(journal_->flush().value_or("").find("was moved or deleted"), std::string::npos);
+    std::filesystem::rename(folder_ / "elsewhere.sqlite", folder_ / "responses.sqlite");
+    EXPECT_EQ(journal_->flush(), std::nullopt);
 }
 
 TEST_F(Recording, ARowThatAnEarlierTryBroughtToTheDiskMayBeTriedAgain) {

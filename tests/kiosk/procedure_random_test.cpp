@@ -14,7 +14,7 @@ namespace {
 using analysis::TrialRecord;
 
 Event random_event(base::Random& random, int pairs, double time_s) {
-    switch (random.below(13)) {
+    switch (random.below(15)) {
         case 0:
             return StartPressed{};
         case 1: {
@@ -40,6 +40,10 @@ Event random_event(base::Random& random, int pairs, double time_s) {
             return random.below(20) == 0 ? Event(LeaveRequested{}) : Event(SpacePressed{});
         case 10:
             return random.below(20) == 0 ? Event(LeaveConfirmed{}) : Event(LeaveCancelled{});
+        case 11:
+            return random.below(8) == 0 ? Event(ScreenHidden{"lost focus"}) : Event(SpacePressed{});
+        case 12:
+            return ScreenSeen{};
         default:
             return ScreenPresented{static_cast<int>(random.below(3))};
     }
@@ -51,6 +55,7 @@ void expect_sound(const TrialRecord& row, int index, const stimuli::Study& study
     EXPECT_GE(row.second_view_ms, 0.0);
     EXPECT_GE(row.response_time_s, 0.0);
     EXPECT_GE(row.dropped_frames, 0);
+    EXPECT_GE(row.hidden_ms.value(), 0.0);
     EXPECT_GE(row.first_onset_s, 0.0);
     EXPECT_GT(row.second_onset_s, row.first_onset_s);
     EXPECT_GE(row.question_onset_s, row.second_onset_s);

@@ -97,7 +97,8 @@ TEST(Procedure, TheSessionRowHoldsTheFormTheOrderAndTheMachine) {
     EXPECT_EQ(begin.session.condition_count, 3);
     EXPECT_EQ(begin.session.started_utc, "t4");
     EXPECT_EQ(begin.session.gpu_renderer, "a renderer");
-    const auto& digest = std::get<EventRecord>(script.rows.at(1));
+    ASSERT_EQ(begin.events.size(), 1U);
+    const EventRecord& digest = begin.events[0];
     EXPECT_EQ(digest.name, kStimuliEvent);
     EXPECT_EQ(digest.detail, digest_of(script.procedure.plan().images));
 }
@@ -146,7 +147,8 @@ TEST(Procedure, NothingShortensTheGreyInterval) {
 }
 
 TEST(Procedure, SpaceBeforeAnImageIsVisibleDoesNotCount) {
-    const stimuli::Study study = small_study(2);
+    stimuli::Study study = small_study(2);
+    study.input_delay_ms = 0;
     Script script(study);
     script.reach_pairs();
     script.at(20, PairPressed{0});
@@ -218,6 +220,97 @@ TEST(Procedure, TheOperatorsQuestionIsNoViewingTimeAndStayingReturnsToTheSameScr
     EXPECT_EQ(std::count(names.begin(), names.end(), "operator stayed"), 3);
 }
 
+TEST(Procedure, HiddenTimeIsTheTrialsOwnColumnAndNoViewingOrResponseTime) {
+    const stimuli::Study study = small_study(2);
+    Script script(study);
+    script.reach_pairs();
+    script.at(20, PairPressed{0});
+    script.shown_at(21);
+    script.at(22, ScreenHidden{"lost focus"});
+    script.at(23, ScreenHidden{"iconified"});
+    script.at(26, ScreenSeen{});
+    script.shown_at(27);              // hidden for 5 s
+    script.at(29, SpacePressed{});    // seen for 1 + 2 s
+    script.shown_at(30);              // grey
+    script.at(31, LeaveRequested{});  // the operator's question covers it for 3 s
+    script.shown_at(31.5);
+    script.at(32, LeaveCancelled{});
+    script.shown_at(34);  // grey starts anew
+    script.at(36, Tick{36});
+    script.shown_at(36);
+    script.at(40, SpacePressed{});
+    script.shown_at(41);
+    script.at(42, ScreenHidden{"covered"});
+    script.at(44, ScreenSeen{});
+    script.shown_at(44.5);          // hidden for 2.5 s
+    script.at(45, Answered{true});  // after 1 + 0.5 s
+    const TrialRecord trial = script.rows_of<TrialRecord>().at(0);
+    EXPECT_DOUBLE_EQ(trial.hidden_ms.value(), 5000.0 + 3000.0 + 2500.0);
+    EXPECT_DOUBLE_EQ(trial.first_view_ms, 3000.0);
+    EXPECT_DOUBLE_EQ(trial.grey_ms_measured, 2000.0);
+    EXPECT_DOUBLE_EQ(trial.second_view_ms, 4000.0);
+    EXPECT_DOUBLE_EQ(trial.response_time_s, 1.5);
+    std::vector<std::string> events;
+    for (const auto& event : script.rows_of<EventRecord>()) {
+        if (event.name != kStimuliEvent) events.push_back(event.name + ": " + event.detail);
+    }
+    const std::vector<std::string> expected{"instructions read: ",
+                                            "lost focus: pair 1, first image",
+                                            "iconified: pair 1, first image",
+                                            "seen again: after 4000 ms, pair 1, first image",
+                                            "operator asked to leave: ",
+                                            "operator stayed: ",
+                                            "covered: pair 1, question",
+                                            "seen again: after 2000 ms, pair 1, question"};
+    EXPECT_EQ(events, expected);
+    script.shown_at(46);
+    script.answer_pair(50, 1, true);
+    EXPECT_DOUBLE_EQ(script.rows_of<TrialRecord>().at(1).hidden_ms.value(), 0.0);
+}
+
+TEST(Procedure, NothingIsTakenWhileTheScreenIsHiddenButTheOperatorsWishToLeave) {
+    const stimuli::Study study = small_study(2);
+    Script script(study);
+    script.reach_pairs();
+    script.at(20, PairPressed{0});
+    script.shown_at(21);
+    script.at(22, ScreenHidden{"covered"});
+    script.shown_at(23);
+    script.at(24, SpacePressed{});
+    EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage);
+    script.at(25, LeaveRequested{});
+    EXPECT_EQ(script.procedure.screen(), Screen::kConfirmLeave);
+    script.shown_at(26);
+    script.at(27, LeaveCancelled{});
+    script.shown_at(28);
+    script.at(29, SpacePressed{});
+    EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage) << "still hidden";
+    const int before = script.procedure.request();
+    script.at(30, ScreenSeen{});
+    EXPECT_GT(script.procedure.request(), before) << "to be shown again";
+    script.at(31, SpacePressed{});
+    EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage) << "not visible yet";
+    script.shown_at(32);
+    script.at(33, SpacePressed{});
+    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    script.shown_at(34);
+    script.at(35, ScreenHidden{"resized"});
+    EXPECT_FALSE(script.procedure.second_image_due_s());
+    script.at(40, Tick{40});
+    EXPECT_EQ(script.procedure.screen(), Screen::kGrey) << "no interval ends unseen";
+    script.at(41, ScreenSeen{});
+    script.shown_at(42);
+    script.at(43, Tick{43});
+    EXPECT_EQ(script.procedure.screen(), Screen::kGrey) << "it starts anew";
+    script.at(44, Tick{44});
+    script.shown_at(44);
+    script.at(46, SpacePressed{});
+    script.shown_at(47);
+    script.at(48, ScreenHidden{"monitor lost"});
+    script.at(49, Answered{true});
+    EXPECT_TRUE(script.rows_of<TrialRecord>().empty()) << "no answer to what cannot be seen";
+}
+
 TEST(Procedure, LeavingEndsItAndLeavesTheSessionOpen) {
     const stimuli::Study study = small_study(2);
     Script script(study);
@@ -238,7 +331,8 @@ TEST(Procedure, ContinuesACutOffSessionAtTheFirstUnansweredPair) {
     before.reach_pairs();
     before.answer_pair(20, 0, true);
     Script after(study);
-    const auto rows = after.procedure.resume(before.rows_of<TrialRecord>(), 500.0, {7.0, "u"});
+    const auto rows =
+        after.procedure.resume(before.rows_of<TrialRecord>(), true, 500.0, {7.0, "u"});
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(std::get<EventRecord>(rows[0]).name, "session resumed");
     EXPECT_EQ(std::get<EventRecord>(rows[0]).session_id, "s-1");
@@ -260,7 +354,8 @@ TEST(Procedure, ASessionCutOffAfterItsLastAnswerIsCompletedWhenContinued) {
     before.answer_pair(20, 0, true);
     before.answer_pair(40, 1, true);
     Script after(study);
-    const auto rows = after.procedure.resume(before.rows_of<TrialRecord>(), 500.0, {7.0, "u"});
+    const auto rows =
+        after.procedure.resume(before.rows_of<TrialRecord>(), true, 500.0, {7.0, "u"});
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_TRUE(std::holds_alternative<CompleteSession>(rows[1]));
     EXPECT_EQ(after.procedure.screen(), Screen::kThanks);
@@ -274,10 +369,10 @@ TEST(Procedure, AnswersThatAreNotOfThePlanCannotBeContinued) {
     auto trials = before.rows_of<TrialRecord>();
     trials[0].condition = "C1";
     Script after(study);
-    EXPECT_THROW((void)after.procedure.resume(trials, 1.0, {0.0, "u"}), base::Error);
+    EXPECT_THROW((void)after.procedure.resume(trials, true, 1.0, {0.0, "u"}), base::Error);
     trials[0].condition = "C2";
     trials[0].trial_index = 1;
-    EXPECT_THROW((void)after.procedure.resume(trials, 1.0, {0.0, "u"}), base::Error);
+    EXPECT_THROW((void)after.procedure.resume(trials, true, 1.0, {0.0, "u"}), base::Error);
 }
 
 }  // namespace

@@ -25,9 +25,10 @@ class ShownStudy {
     static constexpr int kWidth = 320;
     static constexpr int kHeight = 200;
 
-    ShownStudy(int conditions, int grey_ms) {
+    /// `keys` are lines of the table [study].
+    ShownStudy(int conditions, int grey_ms, const std::string& keys = "") {
         file = data / "study.toml";
-        base::write_file_atomically(file, text_of(conditions, grey_ms));
+        base::write_file_atomically(file, text_of(conditions, grey_ms, keys));
         study = stimuli::load_study(file.string());
         folder = stimuli::stimuli_folder(data, study);
         make_images();
@@ -45,14 +46,14 @@ class ShownStudy {
     std::map<std::string, stimuli::RgbImage> images;  ///< by the SHA-256 of the file
 
   private:
-    [[nodiscard]] static std::string text_of(int conditions, int grey_ms) {
+    [[nodiscard]] static std::string text_of(int conditions, int grey_ms, const std::string& keys) {
         std::string text = fmt::format(
             "[study]\nname = \"noise\"\ntitle = \"Noise\"\nquestion = \"Which image?\"\n"
             "instructions = \"Look at both \\u2014 \\u017Dlu\\u0165 \\u03BB.\"\n"
             "resolution = [{}, {}]\ngrey_ms = {}\ngrey_level = 128\norder = \"latin-square\"\n"
-            "seed = 11\n\n[[scene]]\nid = \"r\"\nsource = \"relic\"\ncamera = \"front\"\n"
+            "seed = 11\n{}\n[[scene]]\nid = \"r\"\nsource = \"relic\"\ncamera = \"front\"\n"
             "validity = \"low\"\n",
-            kWidth, kHeight, grey_ms);
+            kWidth, kHeight, grey_ms, keys);
         for (int i = 1; i <= conditions; ++i) {
             text += fmt::format(
                 "\n[[condition]]\nid = \"C{}\"\nscene = \"r\"\nhypothesis = \"H1\"\n"

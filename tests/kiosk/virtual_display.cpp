@@ -137,6 +137,49 @@ stimuli::RgbImage VirtualDisplay::screen() const {
     return screen;
 }
 
+void VirtualDisplay::tool(const std::vector<std::string>& command) const { run(command); }
+
+void VirtualDisplay::start_window_manager() {
+    manager_ = ChildProcess({"openbox"}, -1, "");
+    const Connection connection = connect();
+    const Atom sign = XInternAtom(connection.get(), "_NET_SUPPORTING_WM_CHECK", False);
+    for (int i = 0; i < 2000; ++i) {
+        Atom type = 0;
+        int format = 0;
+        unsigned long count = 0;
+        unsigned long left = 0;
+        unsigned char* value = nullptr;
+        XGetWindowProperty(connection.get(), DefaultRootWindow(connection.get()), sign, 0, 1, False,
+                           AnyPropertyType, &type, &format, &count, &left, &value);
+        if (value != nullptr) XFree(value);
+        if (count == 1) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    throw std::runtime_error("openbox does not start; is it installed?");
+}
+
+OtherWindow::OtherWindow(int left, int top, int width, int height) {
+    Display* display = connect().release();
+    connection_ = display;
+    XSetWindowAttributes attributes{};
+    attributes.override_redirect = True;
+    attributes.background_pixel = 0xFF00FF;
+    window_ =
+        XCreateWindow(display, DefaultRootWindow(display), left, top, static_cast<unsigned>(width),
+                      static_cast<unsigned>(height), 0, CopyFromParent, InputOutput, nullptr,
+                      CWOverrideRedirect | CWBackPixel, &attributes);
+    XMapRaised(display, window_);
+    XSync(display, False);
+}
+
+OtherWindow::~OtherWindow() { XCloseDisplay(static_cast<Display*>(connection_)); }
+
+void OtherWindow::take_focus() const {
+    auto* display = static_cast<Display*>(connection_);
+    XSetInputFocus(display, window_, RevertToPointerRoot, CurrentTime);
+    XSync(display, False);
+}
+
 void VirtualDisplay::key(const std::string& name) const { run({"xdotool", "key", name}); }
 
 void VirtualDisplay::type(const std::string& text) const { run({"xdotool", "type", text}); }
@@ -144,6 +187,15 @@ void VirtualDisplay::type(const std::string& text) const { run({"xdotool", "type
 void VirtualDisplay::click(int x, int y) const {
     run({"xdotool", "mousemove", std::to_string(x), std::to_string(y), "sleep", "0.2", "mousedown",
          "1", "sleep", "0.1", "mouseup", "1"});
+}
+
+void VirtualDisplay::double_click(int x, int y) const {
+    run({"xdotool", "mousemove", std::to_string(x), std::to_string(y), "sleep", "0.2", "click",
+         "--repeat", "2", "--delay", "110", "1"});
+}
+
+void VirtualDisplay::hold(const std::string& key, double seconds) const {
+    run({"xdotool", "keydown", key, "sleep", fmt::format("{}", seconds), "keyup", key});
 }
 
 void VirtualDisplay::ask_windows_to_close() const {

@@ -42,6 +42,14 @@ class VirtualDisplay {
     void key(const std::string& name) const;
     void type(const std::string& text) const;
     void click(int x, int y) const;
+    /// Two clicks as people double-click.
+    void double_click(int x, int y) const;
+    /// A key that is held, with the repeats of the server.
+    void hold(const std::string& key, double seconds) const;
+    /// Runs a tool that talks to the display (xdotool, xrandr, setxkbmap) and waits for its end.
+    void tool(const std::vector<std::string>& command) const;
+    /// Openbox, which takes part in where windows are and which has the keys.
+    void start_window_manager();
     /// Asks every window to close, as a window manager does (WM_DELETE_WINDOW).
     void ask_windows_to_close() const;
 
@@ -49,6 +57,22 @@ class VirtualDisplay {
     int width_;
     int height_;
     ChildProcess server_;
+    ChildProcess manager_;
+};
+
+/// Another program's window on the display, before all others and out of a window manager's care.
+class OtherWindow {
+  public:
+    OtherWindow(int left, int top, int width, int height);
+    ~OtherWindow();
+    OtherWindow(const OtherWindow&) = delete;
+    OtherWindow& operator=(const OtherWindow&) = delete;
+
+    void take_focus() const;
+
+  private:
+    void* connection_;
+    unsigned long window_;
 };
 
 }  // namespace obscura::app::kiosk

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv.h"
+#include "analysis/table/csv.h"
 #include "analysis/fit/minimise.h"
 #include "analysis/image_error/final_image_error.h"
 #include "analysis/measurement/order_of_techniques.h"

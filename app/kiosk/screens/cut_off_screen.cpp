@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <imgui.h>
-// Only for the names of the keys.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include "app/kiosk/screens/screens.h"
 #include "app/kiosk/widgets.h"
@@ -21,28 +17,46 @@ namespace {
 
 std::optional<CutOffChoice> cut_off_screen(const Fonts& fonts, const CutOffSession& session) {
     std::optional<CutOffChoice> choice;
-    card("##cut-off", 34.0F, [&] {
-        hint(fonts, "For the operator");
+    const bool can_continue = session.refusal.empty();
+    const auto body = [&] {
+        paragraph("For the operator");
         heading(fonts, "The last run was cut off");
         paragraph(fmt::format("Session {} began at {} and has {} of {} answers.",
                               session.session_id, session.started_utc, session.answered,
                               session.count));
-        if (!session.refusal.empty()) {
-            complaint("It cannot be continued: " + session.refusal + ".");
+        if (!can_continue) complaint("It cannot be continued: " + session.refusal + ".");
+    };
+    const auto foot = [&] {
+        if (can_continue && primary_button(continue_label(session).c_str())) {
+            choice = CutOffChoice::kContinue;
         }
-        gap(0.5F);
-        if (session.refusal.empty()) {
-            if (primary_button(continue_label(session).c_str())) choice = CutOffChoice::kContinue;
-        }
-        const char* label = "Close it as abandoned";
-        const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
-        ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
-        if (wide_button(label, width, 2.1F, false)) choice = CutOffChoice::kAbandon;
-        if (ImGui::IsKeyPressed(GLFW_KEY_A, false)) choice = CutOffChoice::kAbandon;
+        if (quiet_button("Close it as abandoned")) choice = CutOffChoice::kAbandon;
+        if (letter_pressed('a')) choice = CutOffChoice::kAbandon;
         gap(0.2F);
-        hint(fonts,
-             session.refusal.empty() ? "Keys: Enter continues, A abandons." : "Key: A abandons.");
-    });
+        paragraph(can_continue ? "Keys: Enter continues, A abandons." : "Key: A abandons.");
+        paragraph(kOperatorsKey);
+    };
+    card("##cut-off", 34.0F, body, foot);
+    return choice;
+}
+
+std::optional<bool> abandon_screen(const Fonts& fonts, const CutOffSession& session) {
+    std::optional<bool> choice;
+    const auto body = [&] {
+        heading(fonts, "Close this session as abandoned?");
+        paragraph(
+            fmt::format("Its {} of {} answers stay in the store, but it can never be continued, "
+                        "and no analysis counts it.",
+                        session.answered, session.count));
+    };
+    const auto foot = [&] {
+        if (primary_button("Back")) choice = false;
+        if (quiet_button("Close it for good")) choice = true;
+        if (letter_pressed('c')) choice = true;
+        gap(0.2F);
+        paragraph("Keys: Enter goes back, C closes it.");
+    };
+    card("##abandon", 34.0F, body, foot);
     return choice;
 }
 

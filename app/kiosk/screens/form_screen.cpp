@@ -1,11 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <imgui.h>
-#include <imgui_internal.h>
-#include <imgui_stdlib.h>
-// Only for the names of the keys.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <charconv>
 
@@ -23,50 +18,104 @@ namespace {
     return value;
 }
 
-void age_field(FormDraft& draft, const FormProblems& problems) {
+/// What of an entry needs to be said.
+void notes_on(const Fonts& fonts, const TextEntry& entry) {
+    if (!entry.note().empty()) hint(fonts, entry.note());
+    if (has_boxes(entry)) {
+        hint(fonts,
+             "\u25A1 stands for a character that this screen cannot draw. It is stored as you "
+             "typed it.");
+    }
+}
+
+/// Puts the keyboard on the next field where it is to be there.
+void focus_if_wanted(FormDraft& draft, FormDraft::ToFill field) {
+    if (draft.to_fill != field) return;
+    draft.to_fill = FormDraft::ToFill::kNothing;
+    focus_next();
+}
+
+/// Digits for those who have a mouse or a finger only.
+void number_pad(FormDraft& draft) {
+    const float side = 1.75F;
+    const float apart = 0.2F * ImGui::GetFontSize();
+    const auto key = [&](const char* label) {
+        ImGui::SameLine(0.0F, apart);
+        const bool pressed =
+            ImGui::Button(label, {side * ImGui::GetFontSize(), ImGui::GetFrameHeight()});
+        if (pressed) draft.to_fill = FormDraft::ToFill::kAge;
+        return pressed;
+    };
+    for (char digit = '0'; digit <= '9'; ++digit) {
+        const char label[] = {digit, '\0'};
+        if (key(label)) draft.age.type(static_cast<char32_t>(digit));
+    }
+    if (key("\u2190")) draft.age.erase_before();
+}
+
+void age_field(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Age in years");
     ImGui::SameLine();
-    if (draft.focus_age) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(4.0F * ImGui::GetFontSize());
-    ImGui::InputText("##age", &draft.age, ImGuiInputTextFlags_CharsDecimal);
-    if (ImGui::IsItemActive()) {
-        draft.focus_age = false;
-        // Leaves the field, so that the arrow keys move on.
-        if (ImGui::IsKeyPressed(GLFW_KEY_DOWN) || ImGui::IsKeyPressed(GLFW_KEY_TAB)) {
-            ImGui::ClearActiveID();
-        }
-    }
+    focus_if_wanted(draft, FormDraft::ToFill::kAge);
+    text_field("##age", draft.age, 3.5F * ImGui::GetFontSize());
+    number_pad(draft);
+    notes_on(fonts, draft.age);
     if (draft.submitted && !problems.age.empty()) complaint(problems.age);
 }
 
-void gender_field(FormDraft& draft) {
+void gender_field(const Fonts& fonts, FormDraft& draft) {
     const auto choice = [&draft](const char* label, Gender gender) {
-        if (radio(label, draft.gender == gender)) draft.gender = gender;
+        const bool pressed = radio(label, draft.gender == gender);
+        if (pressed) draft.gender = gender;
+        return pressed;
     };
     const float apart = ImGui::GetFontSize() * 1.2F;
     paragraph("Gender");
-    choice("Female", Gender::kFemale);
+    (void)choice("Female", Gender::kFemale);
     ImGui::SameLine(0.0F, apart);
-    choice("Male", Gender::kMale);
+    (void)choice("Male", Gender::kMale);
     ImGui::SameLine(0.0F, apart);
-    choice("In my own words", Gender::kOwnWords);
+    const bool own_words = choice("In my own words", Gender::kOwnWords);
     ImGui::SameLine(0.0F, apart);
-    choice("Rather not say", Gender::kRatherNotSay);
-    if (draft.gender == Gender::kOwnWords) {
-        ImGui::SetNextItemWidth(-1.0F);
-        ImGui::InputText("##gender", &draft.own_words);
-    }
+    (void)choice("Rather not say", Gender::kRatherNotSay);
+    if (draft.gender != Gender::kOwnWords) return;
+    // It takes the typing at once.
+    if (own_words) draft.to_fill = FormDraft::ToFill::kOwnWords;
+    focus_if_wanted(draft, FormDraft::ToFill::kOwnWords);
+    text_field("##gender", draft.own_words, ImGui::GetContentRegionAvail().x);
+    notes_on(fonts, draft.own_words);
+}
+
+void questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
+    heading(fonts, "About you");
+    age_field(fonts, draft, problems);
+    gap(0.2F);
+    gender_field(fonts, draft);
+    gap(0.2F);
+    yes_no("vision", "Is your vision normal, or corrected to normal by glasses or lenses?",
+           draft.normal_vision);
+    gap(0.2F);
+    yes_no("purpose", "Had you heard what this study is about before today?",
+           draft.heard_of_purpose);
+    gap(0.2F);
+    focus_if_wanted(draft, FormDraft::ToFill::kConsent);
+    tick("I agree to take part", draft.consent);
+    hint(fonts,
+         "Your answers are stored without your name. You may stop at any time: tell the person "
+         "in charge.");
+    if (draft.submitted && !problems.consent.empty()) complaint(problems.consent);
 }
 
 }  // namespace
 
 Form form_of(const FormDraft& draft) {
     Form form;
-    form.age_years = whole_number(draft.age);
+    form.age_years = whole_number(draft.age.utf8());
     if (draft.gender == Gender::kFemale) form.gender = "female";
     if (draft.gender == Gender::kMale) form.gender = "male";
-    if (draft.gender == Gender::kOwnWords) form.gender = draft.own_words;
+    if (draft.gender == Gender::kOwnWords) form.gender = draft.own_words.utf8();
+    if (draft.gender == Gender::kRatherNotSay) form.gender = kRatherNotSayStored;
     form.normal_vision = draft.normal_vision;
     if (draft.heard_of_purpose) form.naive = !*draft.heard_of_purpose;
     form.consent = draft.consent;
@@ -75,31 +124,21 @@ Form form_of(const FormDraft& draft) {
 
 std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
     std::optional<Event> event;
-    card("##form", 36.0F, [&] {
-        const FormProblems problems = problems_of(form_of(draft));
-        heading(fonts, "About you");
-        age_field(draft, problems);
-        gap(0.2F);
-        gender_field(draft);
-        gap(0.2F);
-        yes_no("vision", "Is your vision normal, or corrected to normal by glasses or lenses?",
-               draft.normal_vision);
-        gap(0.2F);
-        yes_no("purpose", "Had you heard what this study is about before today?",
-               draft.heard_of_purpose);
-        gap(0.2F);
-        tick("I agree to take part", draft.consent);
-        hint(fonts,
-             "Your answers are stored without your name. You may stop at any time: tell the person "
-             "in charge.");
-        if (draft.submitted && !problems.consent.empty()) complaint(problems.consent);
-        gap(0.4F);
-        if (primary_button("Continue")) {
+    const FormProblems problems = problems_of(form_of(draft));
+    card(
+        "##form", 36.0F, [&] { questions(fonts, draft, problems); },
+        [&] {
+            if (!primary_button("Continue")) return;
             draft.submitted = true;
-            if (problems.none()) event = FormSubmitted{form_of(draft)};
-            draft.focus_age = !problems.age.empty();
-        }
-    });
+            const Form form = form_of(draft);
+            const FormProblems left = problems_of(form);
+            if (left.none()) {
+                event = FormSubmitted{form};
+            } else {
+                draft.to_fill =
+                    left.age.empty() ? FormDraft::ToFill::kConsent : FormDraft::ToFill::kAge;
+            }
+        });
     return event;
 }
 

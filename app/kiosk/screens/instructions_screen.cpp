@@ -7,12 +7,15 @@ namespace obscura::app::kiosk {
 
 std::optional<Event> instructions_screen(const Fonts& fonts, const stimuli::Study& study) {
     std::optional<Event> event;
-    card("##instructions", 36.0F, [&] {
-        heading(fonts, "Instructions");
-        paragraph(study.instructions);
-        gap();
-        if (primary_button("Begin the experiment")) event = InstructionsRead{};
-    });
+    card(
+        "##instructions", 36.0F,
+        [&] {
+            heading(fonts, "Instructions");
+            paragraph(study.instructions);
+        },
+        [&] {
+            if (primary_button("Begin the experiment")) event = InstructionsRead{};
+        });
     return event;
 }
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/kiosk/screens/screens.h"
 #include "app/kiosk/widgets.h"
@@ -11,17 +12,47 @@
 namespace obscura::app::kiosk {
 namespace {
 
-/// Columns of buttons for that many pairs: one up to seven, as in the thesis, then more.
-[[nodiscard]] int columns_for(int count) { return std::clamp((count + 6) / 7, 1, 6); }
+/// Times the text's height.
+constexpr float kButtonHeight = 1.9F;
+constexpr float kWideColumn = 9.0F;    ///< holds the whole label
+constexpr float kNarrowColumn = 4.5F;  ///< holds the number
+constexpr float kAround = 13.0F;       ///< of the window's height, what the list does not get
+constexpr int kUsualRows = 7;
+
+struct Grid {
+    int columns = 1;
+    float column = kWideColumn;
+};
+
+/// One column up to seven pairs, as in the thesis; then as many as keep the list in view, of
+/// numbers alone where whole labels have no room.
+[[nodiscard]] Grid grid_for(int count) {
+    const float text_px = ImGui::GetFontSize();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float row_px = kButtonHeight * text_px + ImGui::GetStyle().ItemSpacing.y;
+    const int rows =
+        std::max(kUsualRows, static_cast<int>((screen.y - kAround * text_px) / row_px));
+    const int few = (count + kUsualRows - 1) / kUsualRows;
+    const auto fitting = [&](float column) {
+        const float room_px = screen.x - 8.0F * text_px;
+        return std::max(1, static_cast<int>(room_px / (column * text_px)));
+    };
+    const int most = fitting(kWideColumn);
+    if (few <= std::min(most, 4)) return {few, kWideColumn};
+    const int needed = (count + rows - 1) / rows;
+    if (needed <= most) return {needed, kWideColumn};
+    return {std::min(needed, fitting(kNarrowColumn)), kNarrowColumn};
+}
 
 /// One pair's button; gives whether it was pressed.
-[[nodiscard]] bool pair_button(int pair, int next, float width) {
+[[nodiscard]] bool pair_button(int pair, int next, const Grid& grid, float width) {
     const bool is_next = pair == next;
     const std::string label =
-        fmt::format("Image pair {}{}###pair{}", pair + 1, pair < next ? "   \u2713" : "", pair);
-    ImGui::BeginDisabled(!is_next);
-    const bool pressed = wide_button(label.c_str(), width, 1.9F, is_next);
-    if (is_next) ImGui::SetItemDefaultFocus();
+        fmt::format("{}{}{}###pair{}", grid.column == kWideColumn ? "Image pair " : "", pair + 1,
+                    pair < next ? "  \u2713" : "", pair);
+    // Not before the whole list was seen, should it ever be taller than the window.
+    ImGui::BeginDisabled(!is_next || !page_state().end_seen);
+    const bool pressed = wide_button(label.c_str(), width, kButtonHeight, is_next);
     ImGui::EndDisabled();
     return pressed;
 }
@@ -30,24 +61,26 @@ namespace {
 
 std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count) {
     std::optional<Event> event;
-    card("##pairs", 24.0F + 6.0F * static_cast<float>(columns_for(count) - 1), [&] {
+    const Grid grid = grid_for(count);
+    const auto columns = static_cast<float>(grid.columns);
+    const auto body = [&] {
         heading(fonts, "Image pairs");
         hint(fonts, next == 0 ? "Press the button of the first pair when you are ready."
                               : "Press the button of the next pair when you are ready.");
         gap(0.4F);
-        const int columns = columns_for(count);
         const float space = ImGui::GetStyle().ItemSpacing.x;
         const float room = ImGui::GetContentRegionAvail().x;
-        const float width =
-            (room - space * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+        const float width = (room - space * (columns - 1.0F)) / columns;
         for (int pair = 0; pair < count; ++pair) {
-            if (pair % columns != 0) ImGui::SameLine();
-            if (pair_button(pair, next, width)) event = PairPressed{pair};
+            if (pair % grid.columns != 0) ImGui::SameLine();
+            if (pair_button(pair, next, grid, width)) event = PairPressed{pair};
         }
+    };
+    const auto foot = [&] {
         if (enter_pressed()) event = PairPressed{next};
-        gap(0.2F);
         hint(fonts, fmt::format("{} of {} done", next, count));
-    });
+    };
+    card("##pairs", std::max(24.0F, 4.0F + columns * (grid.column + 0.6F)), body, foot);
     return event;
 }
 

@@ -11,10 +11,11 @@ namespace obscura::app::kiosk {
 std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study, int pair,
                                      int count) {
     std::optional<Event> event;
-    const auto content = [&] {
+    const auto body = [&] {
         hint(fonts, fmt::format("Image pair {} of {}", pair + 1, count));
         heading(fonts, study.question);
-        gap(0.6F);
+    };
+    const auto foot = [&] {
         const float space = ImGui::GetFontSize();
         const float width = (ImGui::GetContentRegionAvail().x - space) * 0.5F;
         if (wide_button("First image", width, 4.0F, true)) event = Answered{true};
@@ -25,8 +26,8 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
              "Click, or press 1 or the left arrow for the first, 2 or the right arrow for the "
              "second.");
     };
-    // The space bar that ended the second image must not press a button here.
-    card("##question", 34.0F, content, Keyboard::kIsLeftToTheCaller);
+    // What ended the look at the second image must not press a button here.
+    card("##question", 34.0F, body, foot, Keyboard::kIsLeftToTheCaller);
     return event;
 }
 

@@ -5,20 +5,23 @@
 
 namespace obscura::app::kiosk {
 
-std::optional<Event> thanks_screen(const Fonts& fonts, const stimuli::Study& study) {
-    std::optional<Event> event;
-    card("##thanks", 30.0F, [&] {
-        heading(fonts, "Thank you");
-        paragraph(
-            study.thanks.empty()
-                ? "That was the last pair. Please tell the person in charge that you are done."
-                : study.thanks);
-        gap(0.2F);
-        hint(fonts, "All answers are saved.");
-        gap();
-        if (primary_button("Next participant")) event = NextParticipant{};
-    });
-    return event;
+void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note) {
+    card(
+        "##thanks", 30.0F,
+        [&] {
+            heading(fonts, "Thank you");
+            paragraph(
+                study.thanks.empty()
+                    ? "That was the last pair. Please tell the person in charge that you are done."
+                    : study.thanks);
+            gap(0.2F);
+            paragraph(saved_note);
+        },
+        [&] {
+            hint(fonts,
+                 "For the operator: Ctrl+Shift+N begins with the next participant, Ctrl+Shift+Q "
+                 "leaves.");
+        });
 }
 
 }  // namespace obscura::app::kiosk

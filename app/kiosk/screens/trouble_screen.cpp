@@ -7,20 +7,24 @@ namespace obscura::app::kiosk {
 
 bool trouble_screen(const Fonts& fonts, const Trouble& trouble) {
     bool again = false;
-    card("##trouble", 36.0F, [&] {
-        hint(fonts, "Please call the person in charge");
+    const auto body = [&] {
         heading(fonts, trouble.title);
-        complaint(trouble.reason);
-        gap(0.2F);
+        paragraph("Please call the person in charge.");
+        gap(0.5F);
         paragraph(trouble.consequence);
-        gap();
-        if (primary_button("Try again")) again = true;
+        paragraph(kOperatorsKey);
         gap(0.2F);
-        hint(fonts, "The operator leaves with Ctrl+Shift+Q.");
-    });
+        hint(fonts, trouble.reason);
+    };
+    const auto foot = [&] {
+        if (primary_button("Try again")) again = true;
+    };
+    card("##trouble", 36.0F, body, foot);
     return again;
 }
 
-std::vector<std::string> fixed_texts() { return {"\u2713"}; }
+std::vector<std::string> texts_of_pages(const stimuli::Study& study) {
+    return {study.question, study.instructions, study.thanks, "\u2190 \u25A1 \u2713 \u2026"};
+}
 
 }  // namespace obscura::app::kiosk

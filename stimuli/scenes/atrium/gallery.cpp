@@ -66,7 +66,7 @@ void put_balustrade(Site& site, const Mesh& turned, const glm::mat4& bay, std::u
     }
 }
 
-void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
+void build_upper_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
     const float half = 0.5F * kBay;
     const glm::mat4 back = glm::rotate(glm::mat4(1.0F), glm::pi<float>(), vec3(0.0F, 1.0F, 0.0F));
     for (const int which : {-1, 1}) {
@@ -122,7 +122,7 @@ void build_galleries(Site& site) {
             const float x = -kHalfLength + kBay * (static_cast<float>(i) + 0.5F);
             const glm::mat4 bay = frame * at(x, 0.0F, 0.0F);
             const auto own = seed + 20U * static_cast<std::uint32_t>(i);
-            build_bay(site, bay, own);
+            build_upper_bay(site, bay, own);
             put_balustrade(site, turned, bay, own + 300U);
             // The bay's middle: a block in the balustrade, a slender column, an impost.
             site.put(Surface::kStone, bevelled_box({0.38F, kRailTop - kParapetFoot, 0.38F}, 0.02F),

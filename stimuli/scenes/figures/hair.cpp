@@ -10,7 +10,7 @@
 namespace obscura::stimuli::figures {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kTurnHalf = std::numbers::pi_v<float>;
 
 /// The scalp as an ellipsoid that locks of hair are laid over.
 struct Scalp {
@@ -131,12 +131,12 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
     for (int ring = 0; ring < 4; ++ring) {
         for (int i = 0; i < 22; ++i) {
             const float turn =
-                0.95F + (2.0F * kPi - 1.9F) *
+                0.95F + (2.0F * kTurnHalf - 1.9F) *
                             (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / 21.5F;
-            const float back = turn < kPi ? 1.0F : -1.0F;
+            const float back = turn < kTurnHalf ? 1.0F : -1.0F;
             const float from = 1.05F - 0.34F * static_cast<float>(ring) + jitter(0.05F);
             const float near_ear =
-                std::abs(std::abs(turn - kPi) - 0.5F * kPi) < 0.38F ? 1.0F : 0.0F;
+                std::abs(std::abs(turn - kTurnHalf) - 0.5F * kTurnHalf) < 0.38F ? 1.0F : 0.0F;
             if (near_ear > 0.0F && ring == 3) continue;
             add_lock(hair, scalp,
                      {{turn - 0.10F * back, from, 0.0025F, 0.0085F},
@@ -177,8 +177,8 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     for (int i = 0; i < kLocks; ++i) {
         const float part_of = (static_cast<float>(i) + 0.5F) / kLocks;
         const float turn = (part_of - 0.5F) * 2.0F * 2.5F;
-        const float rise = 0.62F * std::cos(std::min(std::abs(turn) * 0.85F, kPi)) + 0.02F;
-        const float end_turn = turn < 0.0F ? -kPi + 0.10F : kPi - 0.10F;
+        const float rise = 0.62F * std::cos(std::min(std::abs(turn) * 0.85F, kTurnHalf)) + 0.02F;
+        const float end_turn = turn < 0.0F ? -kTurnHalf + 0.10F : kTurnHalf - 0.10F;
         const float end_rise = 0.32F + 0.10F * std::cos(turn);
         add_lock(hair, scalp,
                  {{turn, rise, 0.0015F, 0.0065F},
@@ -214,7 +214,7 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     hair.add(ellipsoid(knot, scale * glm::vec3(0.021F, 0.021F, 0.017F), at.axes),
              {scale * 0.006F, colour * 0.35F, true});
     for (int i = 0; i < 9; ++i) {
-        const float angle = 2.0F * kPi * static_cast<float>(i) / 8.0F;
+        const float angle = 2.0F * kTurnHalf * static_cast<float>(i) / 8.0F;
         const float r = i == 8 ? 0.0F : 1.0F;
         const float dx = r * std::cos(angle);
         const float dz = r * std::sin(angle);

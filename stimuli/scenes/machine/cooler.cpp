@@ -14,7 +14,7 @@ using glm::vec3;
 using renderer::Mesh;
 
 const vec3 kPlace(-0.45F, 0.0F, -1.30F);
-constexpr float kHalf = 0.42F;  ///< of its width
+constexpr float kHalfWidth = 0.42F;  ///< of its width
 constexpr float kLow = 0.30F;   ///< of the fins
 constexpr float kHigh = 1.18F;
 
@@ -24,7 +24,7 @@ void put_core(Assembly& hall) {
     constexpr int kPlates = 88;
     for (int i = 0; i < kPlates; ++i) {
         const float x =
-            -kHalf + 0.03F + (2.0F * kHalf - 0.06F) * (static_cast<float>(i) + 0.5F) / kPlates;
+            -kHalfWidth + 0.03F + (2.0F * kHalfWidth - 0.06F) * (static_cast<float>(i) + 0.5F) / kPlates;
         const auto seed = 600U + static_cast<std::uint32_t>(i);
         hall.put(Surface::kZinc, plate, moved(kPlace + vec3(x, 0.5F * (kLow + kHigh), 0.0F)), seed,
                  shade_of(seed, 0.25F));
@@ -34,16 +34,16 @@ void put_core(Assembly& hall) {
         const float y = kLow + (kHigh - kLow) * (static_cast<float>(i) + 0.5F) / kTubes;
         for (const float z : {-0.045F, 0.045F}) {
             hall.put(Surface::kCopper,
-                     rod({-kHalf - 0.02F, y, z}, {kHalf + 0.02F, y, z}, 0.013F, 14), moved(kPlace),
+                     rod({-kHalfWidth - 0.02F, y, z}, {kHalfWidth + 0.02F, y, z}, 0.013F, 14), moved(kPlace),
                      700U);
         }
         if (i + 1 == kTubes) continue;
         const float end = i % 2 == 0 ? 1.0F : -1.0F;
         const float step = (kHigh - kLow) / kTubes;
-        const std::array<vec3, 4> turn{{{end * (kHalf + 0.018F), y, 0.045F},
-                                        {end * (kHalf + 0.075F), y, 0.045F},
-                                        {end * (kHalf + 0.075F), y + step, 0.045F},
-                                        {end * (kHalf + 0.018F), y + step, 0.045F}}};
+        const std::array<vec3, 4> turn{{{end * (kHalfWidth + 0.018F), y, 0.045F},
+                                        {end * (kHalfWidth + 0.075F), y, 0.045F},
+                                        {end * (kHalfWidth + 0.075F), y + step, 0.045F},
+                                        {end * (kHalfWidth + 0.018F), y + step, 0.045F}}};
         hall.put(Surface::kCopper, pipe(turn, 0.045F, 0.013F, 12), moved(kPlace), 701U);
     }
 }
@@ -51,16 +51,16 @@ void put_core(Assembly& hall) {
 void put_frame(Assembly& hall) {
     for (const float x : {-1.0F, 1.0F}) {
         hall.put(Surface::kEnamel, bevelled_box({0.025F, kHigh + 0.05F - 0.0F, 0.20F}, 0.004F),
-                 moved(kPlace + vec3(x * kHalf, 0.5F * (kHigh + 0.05F), 0.0F)), 710U, kBlueGrey);
+                 moved(kPlace + vec3(x * kHalfWidth, 0.5F * (kHigh + 0.05F), 0.0F)), 710U, kBlueGrey);
         hall.put(Surface::kEnamel, bevelled_box({0.11F, 0.02F, 0.30F}, 0.004F),
-                 moved(kPlace + vec3(x * kHalf, 0.01F, 0.0F)), 711U, kBlueGrey);
+                 moved(kPlace + vec3(x * kHalfWidth, 0.01F, 0.0F)), 711U, kBlueGrey);
         for (const float z : {-0.12F, 0.12F}) {
-            hall.put(Surface::kSteel, bolt(0.014F), moved(kPlace + vec3(x * kHalf, 0.02F, z)),
+            hall.put(Surface::kSteel, bolt(0.014F), moved(kPlace + vec3(x * kHalfWidth, 0.02F, z)),
                      712U);
         }
     }
     for (const float y : {kLow - 0.03F, kHigh + 0.03F}) {
-        hall.put(Surface::kEnamel, bevelled_box({2.0F * kHalf + 0.03F, 0.03F, 0.20F}, 0.004F),
+        hall.put(Surface::kEnamel, bevelled_box({2.0F * kHalfWidth + 0.03F, 0.03F, 0.20F}, 0.004F),
                  moved(kPlace + vec3(0.0F, y, 0.0F)), 713U, kBlueGrey);
     }
 }
@@ -90,13 +90,13 @@ void put_pump(Assembly& hall) {
     const std::array<vec3, 4> out{{{at.x + 0.13F, 0.34F, at.z},
                                    {at.x + 0.13F, 0.64F, at.z},
                                    {at.x + 0.13F, 0.9F, at.z + 0.045F},
-                                   {kPlace.x - kHalf - 0.02F, 0.9F, at.z + 0.045F}}};
+                                   {kPlace.x - kHalfWidth - 0.02F, 0.9F, at.z + 0.045F}}};
     hall.put(Surface::kCopper, pipe(out, 0.09F, 0.024F, 16), glm::mat4(1.0F), 723U);
     put_valve(hall, moved(at.x + 0.13F, 0.62F, at.z), 0.026F);
     // From the cooler's top along the wall and down to the bearings.
-    const std::array<vec3, 5> back{{{kPlace.x + kHalf, 1.10F, kPlace.z + 0.045F},
-                                    {kPlace.x + kHalf + 0.16F, 1.10F, kPlace.z + 0.045F},
-                                    {kPlace.x + kHalf + 0.16F, 1.52F, kPlace.z + 0.045F},
+    const std::array<vec3, 5> back{{{kPlace.x + kHalfWidth, 1.10F, kPlace.z + 0.045F},
+                                    {kPlace.x + kHalfWidth + 0.16F, 1.10F, kPlace.z + 0.045F},
+                                    {kPlace.x + kHalfWidth + 0.16F, 1.52F, kPlace.z + 0.045F},
                                     {kCrankX, 1.62F, kPlace.z + 0.045F},
                                     {kCrankX, 1.62F, -1.05F}}};
     hall.put(Surface::kCopper, pipe(back, 0.10F, 0.018F, 14), glm::mat4(1.0F), 724U);

@@ -9,7 +9,7 @@
 namespace obscura::stimuli::relic {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kTurnHalf = std::numbers::pi_v<float>;
 constexpr int kScalesAround = 12;
 constexpr float kScaleLength = 0.95F;  ///< of a row, in widths of a scale
 constexpr float kScaleHigh_m = 0.028F;
@@ -31,7 +31,7 @@ class RowsAlong {
             while (next + 1 < curve.size() && curve[next].length_m < along_m) ++next;
             rows_.push_back(rows);
             rows += step_m_ /
-                    (kScaleLength * 2.0F * kPi * curve[next].width_m / static_cast<float>(around));
+                    (kScaleLength * 2.0F * kTurnHalf * curve[next].width_m / static_cast<float>(around));
         }
     }
     [[nodiscard]] float at(float along_m) const {
@@ -84,7 +84,7 @@ TubeStyle scales(const Curve& curve, int around, float high_m, bool plates) {
         const float side = std::abs(at.angle_rad);
         const float belly = plates ? smooth(2.12F, 2.22F, side) : 0.0F;
         const float seam = plates ? smooth(0.0F, 0.09F, std::abs(side - 2.17F)) : 1.0F;
-        const float turn = at.angle_rad / (2.0F * kPi) * static_cast<float>(around);
+        const float turn = at.angle_rad / (2.0F * kTurnHalf) * static_cast<float>(around);
         const float height = belly < 1.0F ? scale_height(turn, row) : 0.0F;
         const float plate = belly > 0.0F ? plate_height(row) : 0.0F;
         return high_m * size * (height + (plate * 1.1F - height) * belly) * (0.35F + 0.65F * seam);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -17,10 +16,10 @@ struct CsvRecord {
     std::vector<std::string> fields;
 };
 
-/// The records of RFC 4180 text: quotes, quotes within quotes, commas and line ends within quotes.
-/// A UTF-8 byte order mark and empty lines are passed over, lines end with LF or CRLF. Throws bad
-/// input as `name:line: what is wrong` for quotes that do not close or stand in the middle of a
-/// field, and for text that is not UTF-8.
+/// The records of RFC 4180 text: quotes, quotes within quotes, separators and line ends within
+/// quotes. A UTF-8 byte order mark, empty lines and blanks around quotes are passed over; lines end
+/// with LF, CRLF or CR. Throws bad input as `name:line: what is wrong` for quotes that do not close
+/// or stand in the middle of a field, and for text that is not UTF-8.
 [[nodiscard]] std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name);
 
 /// The same one after another, so that a large file need not lie in memory as records. `take` may
@@ -34,14 +33,10 @@ struct CsvRow {
     std::span<const std::string_view> fields;
 };
 
-/// The same without a copy of each field, for large files.
+/// The same without a copy of each field, for large files. The text begins in `first_line`.
 void for_each_csv_row(std::string_view text, const std::string& name,
-                      const std::function<void(const CsvRow&)>& take);
-
-/// The same of a file, read in pieces of a few MiB: memory does not grow with it. Throws bad input
-/// when it cannot be read.
-void for_each_csv_row(const std::filesystem::path& file,
-                      const std::function<void(const CsvRow&)>& take);
+                      const std::function<void(const CsvRow&)>& take, char separator = ',',
+                      int first_line = 1);
 
 /// One record with its line feed, quoted where RFC 4180 asks for it. A record of one empty field is
 /// written with quotes, because a reader would take it for an empty line.

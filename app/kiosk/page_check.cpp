@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/kiosk/page_check.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "app/kiosk/page.h"
+#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/widgets.h"
+#include "app/kiosk/window.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+/// Dear ImGui without a window: pages are laid out and never drawn.
+class Layout {
+  public:
+    Layout(const std::vector<std::string>& texts, Extent window)
+        : before_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()) {
+        ImGui::SetCurrentContext(context_);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.UserData = &page_;
+        io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
+        try {
+            fonts_ = load_fonts(texts, window.height);
+        } catch (...) {
+            end();
+            throw;
+        }
+        set_style(fonts_.text->FontSize);
+    }
+    ~Layout() { end(); }
+    Layout(const Layout&) = delete;
+    Layout& operator=(const Layout&) = delete;
+
+    [[nodiscard]] bool holds(const std::function<void(const Fonts&)>& page) {
+        page_ = {};
+        for (int frame = 0; frame < kFirstFrames; ++frame) {
+            ImGui::NewFrame();
+            page(fonts_);
+            ImGui::EndFrame();
+        }
+        return page_.end_seen;
+    }
+
+  private:
+    void end() {
+        ImGui::DestroyContext(context_);
+        ImGui::SetCurrentContext(before_);
+    }
+
+    ImGuiContext* before_;
+    ImGuiContext* context_;
+    PageState page_;
+    Fonts fonts_;
+};
+
+}  // namespace
+
+std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
+    const Extent window{std::max(kSmallestWindow.width, study.width),
+                        std::max(kSmallestWindow.height, study.height)};
+    Layout layout(texts_of_pages(study), window);
+    const int count = static_cast<int>(study.conditions.size());
+    std::vector<std::string> notes;
+    const auto note = [&](const char* what, const std::function<void(const Fonts&)>& page) {
+        if (layout.holds(page)) return;
+        notes.push_back(
+            fmt::format("{} longer than a page at {}x{}: that scrolls, and can be left only after "
+                        "its end was seen",
+                        what, window.width, window.height));
+    };
+    note("the instructions are",
+         [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); });
+    note("the question is",
+         [&](const Fonts& fonts) { (void)question_screen(fonts, study, 0, count); });
+    note("the thanks are",
+         [&](const Fonts& fonts) { thanks_screen(fonts, study, "All answers are saved."); });
+    note("the list of pairs is", [&](const Fonts& fonts) { (void)pairs_screen(fonts, 0, count); });
+    return notes;
+}
+
+}  // namespace obscura::app::kiosk
