@@ -78,10 +78,11 @@ TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair)
         cut.order = whole.order;
         cut.order.slot = static_cast<std::uint64_t>(2 * answered + 1);
         Procedure first(study_, cut);
-        const Moment now{0.0, "2026-05-01T12:00:00Z"};
-        (void)first.step(ScreenPresented{}, now);
-        (void)first.step(StartPressed{}, now);
-        (void)first.step(ScreenPresented{}, now);
+        const auto at = [](double time_s) { return Moment{time_s, "2026-05-01T12:00:00Z"}; };
+        const Moment now = at(3.0);
+        (void)first.step(ScreenPresented{}, at(0.0));
+        (void)first.step(StartPressed{}, at(1.0));
+        (void)first.step(ScreenPresented{}, at(2.0));
         for (const Row& row :
              first.step(FormSubmitted{{30, "", std::nullopt, std::nullopt, true}}, now)) {
             commit(store_, row);
