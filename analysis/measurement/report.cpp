@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/table/csv.h"
 #include "analysis/measurement/order_of_techniques.h"
 #include "analysis/report/html.h"
+#include "analysis/table/csv.h"
 #include "analysis/text.h"
 #include "renderer/base/files.h"
 
