@@ -73,16 +73,10 @@ std::vector<Series> series_of(const std::vector<MeasurementRow>& rows, const std
         auto series = std::find_if(all.begin(), all.end(),
                                    [&](const Series& known) { return known.holds(row); });
         if (series == all.end()) {
-            const bool first = std::none_of(all.begin(), all.end(), [&](const Series& known) {
-                return known.technique == row.technique && known.fitted == row.fitted;
-            });
-            all.push_back({row.technique,
-                           row.fitted,
-                           row.parameters,
-                           first ? row.technique : row.variant,
-                           {}});
+            all.push_back({row.technique, row.fitted, row.parameters, row.technique, "", {}});
             series = all.end() - 1;
         }
+        if (row.variant.size() > series->variant.size()) series->variant = row.variant;
         series->points.push_back({row.cost.median_ms, row.error->rmse, row.samples});
     }
     for (Series& series : all) {
