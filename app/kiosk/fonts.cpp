@@ -6,6 +6,7 @@
 #include <imgui_freetype.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/kiosk/font_files.h"
 #include "renderer/base/error.h"
@@ -59,9 +60,9 @@ Fonts load_fonts(const std::vector<std::string>& texts, int window_height) {
     const float scale = std::clamp(static_cast<float>(window_height) / kReferenceHeight,
                                    kSmallestScale, kLargestScale);
     Fonts loaded;
-    loaded.text = add_font(fonts, kText_px * scale, ranges);
-    loaded.heading = add_font(fonts, kHeading_px * scale, ranges);
-    loaded.small = add_font(fonts, kSmall_px * scale, ranges);
+    loaded.text = add_font(fonts, std::round(kText_px * scale), ranges);
+    loaded.heading = add_font(fonts, std::round(kHeading_px * scale), ranges);
+    loaded.small = add_font(fonts, std::round(kSmall_px * scale), ranges);
     if (!atlas.Build()) throw base::failure("cannot draw the font {}", fonts.front().path);
     return loaded;
 }

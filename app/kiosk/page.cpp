@@ -175,6 +175,8 @@ void draw_way_to_the_end(PageState& page, float visible_px) {
 
 }  // namespace
 
+float times_text(float times) { return std::round(times * ImGui::GetFontSize()); }
+
 PageState& page_state() { return *static_cast<PageState*>(ImGui::GetIO().UserData); }
 
 void card(const char* name, float columns, const std::function<void()>& body,
@@ -184,7 +186,7 @@ void card(const char* name, float columns, const std::function<void()>& body,
     const float text_px = ImGui::GetFontSize();
     const float width = std::round(std::min(screen.x - 2.0F * kMargin_px, columns * text_px));
     const float around_px = 2.0F * ImGui::GetStyle().WindowPadding.y + page.foot_px +
-                            (page.foot_px > 0.0F ? kFootGap * text_px : 0.0F);
+                            (page.foot_px > 0.0F ? times_text(kFootGap) : 0.0F);
     const float room_px = screen.y - 2.0F * kMargin_px - around_px;
     // Rounding alone must not bring a scroll bar.
     const bool overflows = page.body_px > room_px + 0.5F;
@@ -207,14 +209,14 @@ void card(const char* name, float columns, const std::function<void()>& body,
     page.scroll_px = 0.0F;
     if (foot) {
         const float top = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-        ImGui::SetCursorPosY(top + kFootGap * text_px);
+        ImGui::SetCursorPosY(top + times_text(kFootGap));
         if (page.end_seen || page.frames < kSettling) {
             foot();
         } else {
             draw_way_to_the_end(page, visible_px);
         }
         const float bottom = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-        const float foot_px = bottom - top - kFootGap * text_px;
+        const float foot_px = bottom - top - times_text(kFootGap);
         // A foot that is taller than what stood in its place would move the text being read.
         page.foot_px = overflows ? std::max(page.foot_px, foot_px) : foot_px;
     }

@@ -58,6 +58,10 @@ void card(const char* name, float columns, const std::function<void()>& body,
           const std::function<void()>& foot = nullptr,
           Keyboard keyboard = Keyboard::kMovesAndPresses);
 
+/// So many times the text's height, in whole pixels. Heights on a page are whole ones, or what
+/// scrolls would be higher above the window than in it: Dear ImGui rounds places towards 0.
+[[nodiscard]] float times_text(float times);
+
 /// Whether a key (GLFW_KEY_...) went down in this frame.
 [[nodiscard]] bool key_pressed(int key);
 [[nodiscard]] bool enter_pressed();

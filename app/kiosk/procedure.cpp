@@ -315,6 +315,7 @@ std::vector<Row> Procedure::request_leave(const Moment& now) {
     go_out_of_sight(now.time_s);
     const double seen_before_s = seen_before_s_;
     covered_ = screen_;
+    covered_first_time_ = first_time_;
     show(Screen::kConfirmLeave);
     seen_before_s_ = seen_before_s;
     return {event_record("operator asked to leave", "", now)};
@@ -324,7 +325,7 @@ std::vector<Row> Procedure::decide_leave(bool leave, const Moment& now) {
     const double seen_before_s = seen_before_s_;
     show(leave ? Screen::kLeft : covered_);
     seen_before_s_ = seen_before_s;
-    first_time_ = false;
+    first_time_ = covered_first_time_;
     return {event_record(leave ? "operator left" : "operator stayed", "", now)};
 }
 

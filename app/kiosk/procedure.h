@@ -205,6 +205,7 @@ class Procedure {
     SessionPlan plan_;
     Screen screen_ = Screen::kStart;
     Screen covered_ = Screen::kStart;  ///< what the operator's question covers
+    bool covered_first_time_ = true;   ///< that was not visible before
     int request_ = 1;
     bool visible_ = false;
     bool first_time_ = true;  ///< this screen has not been visible before

@@ -28,14 +28,14 @@ constexpr float kParagraphGap = 0.25F;
 void set_style(float text_px) {
     ImGuiStyle& style = ImGui::GetStyle();
     ImGui::StyleColorsLight(&style);
-    style.WindowPadding = {text_px * 2.0F, text_px * 1.7F};
+    style.WindowPadding = {std::round(text_px * 2.0F), std::round(text_px * 1.7F)};
     style.WindowRounding = text_px * 0.5F;
     style.WindowBorderSize = 0.0F;
-    style.FramePadding = {text_px * 0.6F, text_px * 0.38F};
+    style.FramePadding = {std::round(text_px * 0.6F), std::round(text_px * 0.38F)};
     style.FrameRounding = text_px * 0.25F;
     style.FrameBorderSize = 1.0F;
-    style.ItemSpacing = {text_px * 0.6F, text_px * 0.55F};
-    style.ItemInnerSpacing = {text_px * 0.45F, text_px * 0.3F};
+    style.ItemSpacing = {std::round(text_px * 0.6F), std::round(text_px * 0.55F)};
+    style.ItemInnerSpacing = {std::round(text_px * 0.45F), std::round(text_px * 0.3F)};
     style.ScrollbarSize = text_px * 0.7F;
     style.DisabledAlpha = 0.45F;
     ImVec4* colours = style.Colors;
@@ -66,14 +66,13 @@ void heading(const Fonts& fonts, const std::string& text) {
 void paragraph(const std::string& text) {
     ImGui::BeginGroup();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float size = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, size * kLeading});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, times_text(kLeading)});
     const char* at = text.data();
     const char* const end = text.data() + text.size();
     while (at < end) {
         const char* line_end = std::find(at, end, '\n');
         if (line_end == at) {
-            ImGui::Dummy({1.0F, size * kParagraphGap});
+            ImGui::Dummy({1.0F, times_text(kParagraphGap)});
             ++at;
             continue;
         }
@@ -103,7 +102,7 @@ void complaint(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-void gap(float lines) { ImGui::Dummy({1.0F, ImGui::GetFontSize() * lines}); }
+void gap(float lines) { ImGui::Dummy({1.0F, times_text(lines)}); }
 
 namespace {
 
@@ -118,7 +117,7 @@ namespace {
     }
     const ImGuiID id = ImGui::GetID(label);
     const bool here = begin_stop(id, kind);
-    const bool clicked = ImGui::Button(label, {width_px, height * ImGui::GetFontSize()});
+    const bool clicked = ImGui::Button(label, {width_px, times_text(height)});
     const bool pressed = end_stop(id, here);
     if (primary) ImGui::PopStyleColor(5);
     return clicked || pressed;
@@ -127,8 +126,7 @@ namespace {
 /// A radio button or tick box, which are of one size.
 template <typename Draw>
 [[nodiscard]] bool choice(const char* label, const Draw& draw) {
-    const float text_px = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {text_px * 0.2F, text_px * 0.12F});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {times_text(0.2F), times_text(0.12F)});
     const ImGuiID id = ImGui::GetID(label);
     const bool here = begin_stop(id);
     const bool clicked = draw();

@@ -148,6 +148,7 @@ TEST_F(Pages, ATextScrollsByWheelArrowsPageKeysHomeAndEnd) {
     EXPECT_FALSE(ShownPage::end_seen());
     EXPECT_GT(moved_by([&] { page.press(GLFW_KEY_END); }), turn);
     EXPECT_TRUE(ShownPage::end_seen());
+    EXPECT_EQ(moved_by([&] { page.press(GLFW_KEY_END); }), 0.0F) << "the end is the end";
     page.press(GLFW_KEY_HOME);
     EXPECT_EQ(ShownPage::scrolled(), 0.0F);
     EXPECT_TRUE(ShownPage::end_seen()) << "once seen is enough";

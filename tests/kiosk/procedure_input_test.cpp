@@ -194,6 +194,30 @@ TEST(ProcedureInput, AfterTheOperatorsQuestionAPageTakesNothingAtFirstEither) {
     EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
 }
 
+TEST(ProcedureInput, AnImageHiddenAndAskedAboutBeforeItWasEverSeenBeginsWhenItIsSeen) {
+    const stimuli::Study study = small_study(2);
+    Script script(study);
+    script.reach_pairs();
+    script.at(20, PairPressed{0});
+    script.at(20.5, ScreenHidden{"lost focus"});
+    script.at(21, LeaveRequested{});
+    script.shown_at(22);
+    script.at(23, LeaveCancelled{});
+    script.at(24, ScreenSeen{});
+    script.shown_at(25);
+    script.at(28, SpacePressed{});
+    script.shown_at(28.01);
+    script.at(30.01, Tick{30.01});
+    script.shown_at(30.02);
+    script.at(34.02, SpacePressed{});
+    script.shown_at(35);
+    script.at(36.5, Answered{true});
+    const TrialRecord row = script.rows_of<TrialRecord>().at(0);
+    EXPECT_DOUBLE_EQ(row.first_onset_s, 21.0);
+    EXPECT_NEAR(row.first_view_ms, 3000.0, 1e-9);
+    EXPECT_NEAR(row.grey_ms_measured, 2010.0, 1e-9);
+}
+
 TEST(ProcedureInput, ContinuingShowsTheInstructionsUnlessTheyWereReadAndAPairWasAnswered) {
     const stimuli::Study study = small_study(3);
     Script before(study);
