@@ -292,7 +292,8 @@ void ObjChecker::statement() {
 /// Holds the corners against what the whole file has: a face may stand before its vertices.
 void ObjChecker::resolve() {
     for (const Face& face : faces_) {
-        const auto place = [&] { return fmt::format("{}:{}", file_, face.line); };
+        bool uv_is_missing = false;
+        bool normal_is_missing = false;
         for (std::size_t i = face.first; i < face.first + face.count; ++i) {
             Corner& c = corners_[i];
             if (c.position > positions_.size()) {
@@ -300,21 +301,22 @@ void ObjChecker::resolve() {
                                             c.position, positions_.size()));
             }
             if (c.uv > uvs_) {
-                notes_.add(fmt::format("corners name a vt that is not there (the file has {}): "
-                                       "they have none",
-                                       uvs_),
-                           place());
+                uv_is_missing = true;
                 c.uv = 0;
             }
             if (c.normal > normal_is_sound_.size()) {
-                notes_.add(fmt::format("corners name a vn that is not there (the file has {}): "
-                                       "normals are made anew",
-                                       normal_is_sound_.size()),
-                           place());
+                normal_is_missing = true;
                 c.normal = 0;
             }
             if (c.normal != 0 && !normal_is_sound_[c.normal - 1]) c.normal = 0;
         }
+        const auto note = [&](const char* what, std::size_t count, const char* instead) {
+            notes_.add(fmt::format("corners name a {} that is not there (the file has {}): {}",
+                                   what, count, instead),
+                       fmt::format("{}:{}", file_, face.line));
+        };
+        if (uv_is_missing) note("vt", uvs_, "they have none");
+        if (normal_is_missing) note("vn", normal_is_sound_.size(), "normals are made anew");
     }
 }
 

@@ -56,6 +56,10 @@ TEST(ObjStatement, IndicesOfNormalsAndTextureCoordinatesThatAreNotThereAreNoneAn
     EXPECT_THAT(imported.notes, Contains(HasSubstr("a vt that is not there (the file has 0)")));
     EXPECT_THAT(imported.notes, Contains(HasSubstr("made.obj:4")));
     EXPECT_THAT(imported.notes, Each(Not(HasSubstr("1 to 0"))));
+    // Each face counts once.
+    std::string many(kCorners);
+    for (int i = 0; i < 10; ++i) many += "f 1//1 2//2 3//3\n";
+    EXPECT_THAT(files.import(many).notes, Contains(HasSubstr("made.obj:9 and 4 more")));
 }
 
 TEST(ObjStatement, TextureCoordinatesThatAreNoneAreZeroWithTheirPlace) {
