@@ -36,9 +36,10 @@ double from_unit(const Unknown& unknown, double u) {
 }
 
 double to_unit(const Unknown& unknown, double value) {
-    return unknown.logarithmic
-               ? std::log(value / unknown.low) / std::log(unknown.high / unknown.low)
-               : (value - unknown.low) / (unknown.high - unknown.low);
+    const double u = unknown.logarithmic
+                         ? std::log(value / unknown.low) / std::log(unknown.high / unknown.low)
+                         : (value - unknown.low) / (unknown.high - unknown.low);
+    return std::clamp(u, 0.0, 1.0);  // rounding may lead beyond an end
 }
 
 constexpr double kVeryLarge = 1e100;
@@ -50,6 +51,7 @@ Minimum minimise(const std::vector<Unknown>& unknowns,
                  const MinimiseOptions& options) {
     for (const Unknown& unknown : unknowns) check(unknown);
     base::check_range("fit", "starts", options.starts, 1, 1000);
+    base::check_range("fit", "scouts", options.scouts, 0, 1'000'000);
     base::check_range("fit", "evaluations", options.evaluations, 1, 1'000'000);
     Minimum best;
     best.smallest = std::numeric_limits<double>::infinity();
@@ -88,10 +90,19 @@ Minimum minimise(const std::vector<Unknown>& unknowns,
         }
     };
     base::Random random(options.seed);
-    for (int search = 0; search < options.starts; ++search) {
-        std::vector<double> unit;
+    const auto random_point = [&] {
+        std::vector<double> values;
         for (const Unknown& unknown : unknowns) {
-            unit.push_back(search == 0 ? to_unit(unknown, unknown.start) : random.uniform());
+            values.push_back(from_unit(unknown, random.uniform()));
+        }
+        return values;
+    };
+    for (int scout = 0; scout < options.scouts; ++scout) (void)evaluate(random_point());
+    for (int search = 0; search < options.starts; ++search) {
+        const std::vector<double> from = search == 0 ? best.values : random_point();
+        std::vector<double> unit;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            unit.push_back(to_unit(unknowns[i], from[i]));
         }
         nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(unknowns.size()));
         optimiser.set_lower_bounds(0.0);

@@ -21,6 +21,8 @@ struct Unknown {
 
 struct MinimiseOptions {
     int starts = 4;           ///< searches: the first from `start`, the others from random points
+    int scouts = 0;           ///< random points that are looked at before: the first search begins
+                              ///< at the best of them and `start`, which may lie on a plain
     int evaluations = 60;     ///< of the function, for each search
     double tolerance = 1e-3;  ///< a search ends where the unknowns move less, of their ranges
     std::uint64_t seed = 1;   ///< of the random starting points

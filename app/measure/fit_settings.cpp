@@ -104,7 +104,8 @@ FitEffort fit_effort(const MeasureRequest& request) {
     effort.height = std::min(effort.height, *request.height);
     effort.rays = std::min(effort.rays, *request.rays);
     if (request.quick)
-        effort.search = {.starts = 1, .evaluations = 25, .tolerance = 1e-2, .seed = 1};
+        effort.search = {
+            .starts = 1, .scouts = 15, .evaluations = 25, .tolerance = 1e-2, .seed = 1};
     return effort;
 }
 

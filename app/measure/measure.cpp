@@ -62,7 +62,8 @@ std::vector<FittedChoice> fit_all(Stage& stage, const MeasureRequest& request,
             }
         }
     }
-    const auto trials = static_cast<std::size_t>(effort.search.starts * effort.search.evaluations);
+    const auto trials = static_cast<std::size_t>(effort.search.scouts +
+                                                 effort.search.starts * effort.search.evaluations);
     base::Progress progress("fit (at most)", wanted.size() * (trials + 1), request.quiet);
     std::vector<FittedChoice> fitted;
     for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -163,6 +163,18 @@ TEST(Minimise, FindsTheMinimumOfAValleyAcrossScales) {
     EXPECT_EQ(minimise(unknowns, valley, options).values, found.values) << "not repeatable";
 }
 
+TEST(Minimise, ScoutsLeadItOffAPlainAndAStartAtAnEndIsNoHindrance) {
+    const std::vector<Unknown> unknowns{{"x", 0.01, 10.0, 10.0, true}, {"y", 0.0, 1.0, 1.0, false}};
+    const auto hole = [](std::span<const double> at) {
+        const double far = std::pow(std::log(at[0] / 0.05), 2.0) + std::pow(at[1] - 0.4, 2.0);
+        return std::min(1.0, 0.2 * far);  // flat around the start
+    };
+    MinimiseOptions options{.starts = 1, .evaluations = 60, .tolerance = 1e-4, .seed = 3};
+    EXPECT_EQ(minimise(unknowns, hole, options).smallest, 1.0);
+    options.scouts = 15;
+    EXPECT_LT(minimise(unknowns, hole, options).smallest, 0.01);
+}
+
 TEST(Minimise, IsNeverWorseThanItsStartAndStandsWhatIsNotANumber) {
     const std::vector<Unknown> unknowns{{"x", 0.0, 1.0, 0.5, false}};
     const auto spike = [](std::span<const double> at) { return at[0] == 0.5 ? 1.0 : std::nan(""); };
