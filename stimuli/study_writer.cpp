@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "stimuli/variant_format.h"
 #include "stimuli/scenes/open_scene.h"
+#include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {

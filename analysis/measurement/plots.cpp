@@ -57,7 +57,8 @@ struct Series {
     std::string technique;
     bool fitted = false;
     std::map<std::string, double> parameters;
-    std::string label;  ///< the technique's name; a further one of a technique has its variant's
+    std::string label;    ///< the technique's name; where it has several, the variant's
+    std::string variant;  ///< of its points the name that says most
     std::vector<Point> points;
 
     [[nodiscard]] bool holds(const MeasurementRow& row) const {
@@ -72,19 +73,17 @@ std::vector<Series> series_of(const std::vector<MeasurementRow>& rows, const std
         auto series = std::find_if(all.begin(), all.end(),
                                    [&](const Series& known) { return known.holds(row); });
         if (series == all.end()) {
-            const bool first = std::none_of(all.begin(), all.end(), [&](const Series& known) {
-                return known.technique == row.technique && known.fitted == row.fitted;
-            });
-            all.push_back({row.technique,
-                           row.fitted,
-                           row.parameters,
-                           first ? row.technique : row.variant,
-                           {}});
+            all.push_back({row.technique, row.fitted, row.parameters, row.technique, "", {}});
             series = all.end() - 1;
         }
+        if (row.variant.size() > series->variant.size()) series->variant = row.variant;
         series->points.push_back({row.cost.median_ms, row.error->rmse, row.samples});
     }
     for (Series& series : all) {
+        const auto alike = std::count_if(all.begin(), all.end(), [&](const Series& other) {
+            return other.technique == series.technique && other.fitted == series.fitted;
+        });
+        if (alike > 1) series.label = series.variant;
         std::stable_sort(series.points.begin(), series.points.end(),
                          [](const Point& a, const Point& b) { return a.samples < b.samples; });
     }

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/table/csv.h"
 #include "analysis/measurement/order_of_techniques.h"
 #include "analysis/report/html.h"
+#include "analysis/table/csv.h"
 #include "analysis/text.h"
 #include "renderer/base/files.h"
 
@@ -286,13 +286,20 @@ std::string report_text(const MeasurementReport& report) {
     std::string text = report.title + '\n' + report.device + '\n';
     if (!report.timer_check.empty()) text += report.timer_check + '\n';
     if (!report.rows.empty()) {
-        text +=
-            fmt::format("\n{:<28} {:<15} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
-                        "variant", "values", "AO ms", "frame ms", "fetches", "RMSE", "bias", "p99");
-        for (const MeasurementRow& row : to_be_looked_at(report, report.rows)) {
-            text += fmt::format("{:<28} {:<15} {:<10} {:>9.2f} {:>9.2f} {:>8} {:>8} {:>8} {:>8}\n",
-                                view_name(row), setting_name(row), row.values, row.cost.median_ms,
-                                row.frame.median_ms, row.fetches_per_px,
+        const std::vector<MeasurementRow> rows = to_be_looked_at(report, report.rows);
+        std::size_t view = 28;
+        std::size_t variant = 15;
+        for (const MeasurementRow& row : rows) {
+            view = std::max(view, view_name(row).size());
+            variant = std::max(variant, setting_name(row).size());
+        }
+        text += fmt::format("\n{:<{}} {:<{}} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "view",
+                            view, "variant", variant, "values", "AO ms", "frame ms", "fetches",
+                            "RMSE", "bias", "p99");
+        for (const MeasurementRow& row : rows) {
+            text += fmt::format("{:<{}} {:<{}} {:<10} {:>9.2f} {:>9.2f} {:>8} {:>8} {:>8} {:>8}\n",
+                                view_name(row), view, setting_name(row), variant, row.values,
+                                row.cost.median_ms, row.frame.median_ms, row.fetches_per_px,
                                 cell(row.error, &AccessibilityError::rmse),
                                 cell(row.error, &AccessibilityError::bias),
                                 cell(row.error, &AccessibilityError::p99));

@@ -9,8 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "analysis/table/csv.h"
 #include "analysis/measurement/pareto.h"
+#include "analysis/table/csv.h"
 #include "analysis/text.h"
 
 namespace obscura::analysis {

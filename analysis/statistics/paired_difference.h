@@ -10,10 +10,10 @@ namespace obscura::analysis {
 /// same `n` participants answered both: `changed.a` of them went from B to A, `changed.b` from A to
 /// B. From the exact (Clopper-Pearson) limits of the two shares of changes by the method of
 /// variance estimates recovery (G. Y. Zou and A. Donner 2008, Statistics in Medicine 27, 1693) with
-/// their multinomial correlation. It is no point where nobody changed: its ends are then the exact
-/// upper limit of a change either way, .308 for ten participants. No value for n = 0. Throws bad
-/// input for counts outside 0 to kMaxCount, more changes than participants and a confidence that is
-/// not strictly between 0 and 1.
+/// their multinomial correlation, of the shares with half a change added either way. It is no point
+/// where nobody changed: its ends are then the exact upper limit of a change either way, .308 for
+/// ten participants. No value for n = 0. Throws bad input for counts outside 0 to kMaxCount, more
+/// changes than participants and a confidence that is not strictly between 0 and 1.
 [[nodiscard]] Possible<Bounds> paired_difference(const Votes& changed, std::int64_t n,
                                                  double confidence = 0.95);
 

@@ -36,7 +36,7 @@ class Database {
     void keep_in_one_file();
     /// SQLite: a commit does not wait for the disk.
     void do_not_wait_for_the_disk();
-    /// SQLite: throws bad input when a page of the database is damaged. Reads all of it: 1 s for a
+    /// SQLite: throws bad input when a page of the database is damaged. Reads all of it: 5 s for a
     /// million answers.
     void require_whole();
     /// SQLite: throws failure when the file was moved, deleted or replaced since it was opened.

@@ -48,6 +48,12 @@ Cameras cameras_of(const std::vector<View>& views, const View& view) {
     return cameras;
 }
 
+/// What was not moved is what it was, not what the way through a logarithm makes of it.
+double value_of(const analysis::Unknown& unknown, double found) {
+    const bool moved = std::abs(found - unknown.start) > 1e-12 * std::abs(unknown.start);
+    return moved ? found : unknown.start;
+}
+
 /// What the study calls the views of that scene.
 std::string ids_of(const std::vector<View>& views, const View& view) {
     std::vector<std::string> ids;
@@ -128,7 +134,7 @@ FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort, const std::vect
     const auto with = [&](std::span<const double> values) {
         TechniqueChoice choice = published;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            choice.parameters[unknowns[i].name] = values[i];
+            choice.parameters[unknowns[i].name] = value_of(unknowns[i], values[i]);
         }
         return choice;
     };
@@ -155,7 +161,7 @@ FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort, const std::vect
     record.reported_cameras = cameras.reported;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
         record.before[unknowns[i].name] = unknowns[i].start;
-        record.after[unknowns[i].name] = found.values[i];
+        record.after[unknowns[i].name] = value_of(unknowns[i], found.values[i]);
     }
     record.training_rmse_before = found.at_start;
     record.training_rmse_after = found.smallest;

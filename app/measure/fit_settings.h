@@ -20,8 +20,8 @@ struct FittedChoice {
     renderer::TechniqueChoice choice;     ///< the same with fitted values
 
     /// Whether the values are for that choice on that scene too: the technique, R of the truth and
-    /// every parameter that a fit leaves alone are the same. Where a fit starts, samples, filter and
-    /// formats may be others.
+    /// every parameter that a fit leaves alone are the same. Where a fit starts, samples, filter
+    /// and formats may be others.
     [[nodiscard]] bool is_for(const stimuli::SceneSource& on,
                               const renderer::TechniqueChoice& other) const;
     analysis::Fitted record;

@@ -13,7 +13,7 @@ std::vector<Admitted> box4_model(const SeenBuffers& buffers, std::span<const flo
     std::vector<Admitted> image(accessibility.size());
     for (int y = 0; y < buffers.height; ++y) {
         for (int x = 0; x < buffers.width; ++x) {
-            if (buffers.is_background(x, y)) continue;
+            if (buffers.is_empty(x, y)) continue;
             double sum = 0.0;
             for (int j = 0; j < kTileSize; ++j) {
                 for (int i = 0; i < kTileSize; ++i) {

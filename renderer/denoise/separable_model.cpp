@@ -102,7 +102,7 @@ std::vector<Rounded> pass(const SeenBuffers& buffers, const std::vector<Rounded>
     std::vector<Rounded> to(from.size(), Rounded(1.0));
     for (int y = 0; y < buffers.height; ++y) {
         for (int x = 0; x < buffers.width; ++x) {
-            if (buffers.is_background(x, y)) continue;
+            if (buffers.is_empty(x, y)) continue;
             to[buffers.index(x, y)] = Tap(buffers, from, x, y, direction).mean();
         }
     }

@@ -3,7 +3,9 @@
 #include "renderer/frame/frame.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -136,6 +138,22 @@ std::vector<std::uint8_t> Frame::read_bytes(std::string_view buffer) const {
     glGetTextureImage(texture(buffer), 0, format.format, format.type,
                       static_cast<GLsizei>(bytes.size()), bytes.data());
     return bytes;
+}
+
+std::vector<std::uint8_t> Frame::read_empty(std::string_view visibility) const {
+    const PlannedTarget& target = planned(visibility);
+    const std::vector<std::uint8_t> bytes = read_bytes(visibility);
+    const auto row = static_cast<std::size_t>(target.width);
+    const auto height = static_cast<std::size_t>(target.height);
+    std::vector<std::uint8_t> empty(row * height);
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < row; ++x) {
+            std::uint32_t depth = 0;
+            std::memcpy(&depth, &bytes[(y * row + x) * sizeof depth], sizeof depth);
+            empty[(height - 1 - y) * row + x] = depth == std::numeric_limits<std::uint32_t>::max();
+        }
+    }
+    return empty;
 }
 
 std::vector<float> Frame::read_floats(std::string_view buffer) const {

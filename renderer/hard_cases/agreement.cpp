@@ -10,6 +10,8 @@
 #include <limits>
 #include <thread>
 
+#include "renderer/passes/shared_constants.h"
+
 namespace obscura::renderer {
 namespace {
 
@@ -72,8 +74,7 @@ std::vector<std::optional<Admitted>> admitted_by(const PixelModel& model,
     const auto work = [&] {
         for (int y = stride * next++; y < buffers.height; y = stride * next++) {
             for (int x = 0; x < buffers.width; x += stride) {
-                admitted[buffers.index(x, y)] =
-                    buffers.is_background(x, y) ? Admitted{} : model(x, y);
+                admitted[buffers.index(x, y)] = buffers.is_empty(x, y) ? Admitted{} : model(x, y);
             }
         }
     };

@@ -34,11 +34,15 @@ Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
 
 SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
     const FramePlan& plan = frame.plan();
-    const std::string depth = plan.seen_by_technique(Target::kDepth);
     const std::string normal = plan.seen_by_technique(Target::kNormal);
-    SeenBuffers buffers{plan.width, plan.height, camera, frame.read_floats(depth), {}};
+    SeenBuffers buffers{.width = plan.image_width,
+                        .height = plan.image_height,
+                        .camera = camera,
+                        .depth_m = frame.read_floats(plan.seen_by_technique(Target::kDepth)),
+                        .empty = frame.read_empty(plan.seen_by_technique(Target::kVisibility)),
+                        .normal = {}};
     for (float& depth_m : buffers.depth_m) {
-        // Half floats hold infinity there; a shader sees no difference.
+        // Half floats may hold infinity there; a shader sees no difference.
         if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
     }
     if (plan.find(normal) == nullptr) return buffers;

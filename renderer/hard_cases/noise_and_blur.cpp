@@ -61,6 +61,14 @@ double smallest_on_plate(const Shot& shot, const Values& values) {
     return smallest;
 }
 
+/// A ball on a floor: neighbours that follow a pixel's plane neither wholly nor not at all.
+Scene ball_on_floor() {
+    Scene scene = shapes::empty();
+    shapes::add_quad(scene, {-40.0F, -1.0F, 0.0F}, {80.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
+    shapes::add_sphere(scene, {0.0F, 0.0F, -4.0F}, 1.0F);
+    return scene;
+}
+
 /// Case 11, for every filter.
 void run_noise_and_blur(Bench& bench, const Technique& technique) {
     if (technique.ray_traced) return;  // it has neither tile nor filter
@@ -74,6 +82,9 @@ void run_noise_and_blur(Bench& bench, const Technique& technique) {
         const auto pattern = [&](const Values& values) { return tile_pattern(corner, values); };
         bench.expect(filter.name + ": 4-pixel pattern left along a straight corner", 0.0,
                      of_denoised(corner, pattern), 0.004);
+        const Shot ball = bench.shoot("a ball on a floor", ball_on_floor(), shapes::camera(5.0F),
+                                      choice, size, size);
+        bench.expect_sound(filter.name + ": a ball on a floor", ball);
         const Shot edge = bench.shoot("a plate before a dark wall", plate_before_dark_wall(),
                                       shapes::camera(5.0F), choice, size, size);
         const auto smallest = [&](const Values& values) { return smallest_on_plate(edge, values); };

@@ -43,8 +43,6 @@ Texels texels_of(const Rounded& place, int size) {
 
 }  // namespace
 
-bool SeenBuffers::is_background(int x, int y) const { return depth_at(x, y) >= kBackgroundLimit_m; }
-
 void SeenDepths::add(float depth_m) {
     const auto end = list_.begin() + static_cast<std::ptrdiff_t>(count_);
     if (std::find(list_.begin(), end, depth_m) != end) return;

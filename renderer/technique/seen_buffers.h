@@ -19,6 +19,7 @@ struct SeenBuffers {
     int height = 0;
     Camera camera;
     std::vector<float> depth_m;
+    std::vector<std::uint8_t> empty;   ///< 1 where nothing is seen
     std::vector<std::uint8_t> normal;  ///< three code values a pixel; empty: none is read
 
     [[nodiscard]] std::size_t index(int x, int y) const {
@@ -26,7 +27,7 @@ struct SeenBuffers {
                static_cast<std::size_t>(x);
     }
     [[nodiscard]] float depth_at(int x, int y) const { return depth_m[index(x, y)]; }
-    [[nodiscard]] bool is_background(int x, int y) const;
+    [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
 };
 
 /// A place in the image, from 0 to 1.

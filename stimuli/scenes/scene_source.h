@@ -19,9 +19,9 @@ struct SceneSource {
     std::string source;                ///< as study file and command line name it
     std::vector<std::string> cameras;  ///< at least one, as build() names them
     std::vector<Validity> levels;      ///< at least one
-    std::vector<std::string> notes;    ///< what of its file is not shown, or otherwise
     std::function<renderer::Scene()> build;
     std::function<renderer::Lighting(Validity)> lighting;  ///< for one of `levels`
+    std::vector<std::string> notes = {};  ///< what of its file is not shown, or otherwise
 
     /// The name itself, the first camera's for "". Throws bad input naming those there are.
     [[nodiscard]] std::string camera_for(const std::string& name) const;

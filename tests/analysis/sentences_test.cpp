@@ -124,8 +124,8 @@ void check_difference(const Verdict& verdict, const Votes& changed, std::int64_t
 
 void check_everything_said(const Analysis& analysis) {
     const std::string text = text_report(analysis) + json_report(analysis);
-    for (const char* empty : {"nan", "100.0 to 100.0", " 0.0 to 0.0", "+0.0 to +0.0", "1 votes",
-                              "1 participants", "1 conditions", "1 tests"}) {
+    for (const char* empty : {"nan", "100.0 to 100.0", " 0.0 to 0.0", "+0.0 to +0.0", " 1 votes",
+                              " 1 participants", " 1 conditions", " 1 tests"}) {
         EXPECT_THAT(text, Not(HasSubstr(empty)));
     }
 }

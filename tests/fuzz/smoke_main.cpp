@@ -69,8 +69,8 @@ int main(int count, char** words) {
         const Bytes whole = read(file);
         feed(whole);
         for (std::size_t cut = 0; cut < kCuts; ++cut) {
-            feed({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(
-                                                     whole.size() * cut / kCuts)});
+            feed({whole.begin(),
+                  whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * cut / kCuts)});
         }
         for (int i = 0; i < changes; ++i) feed(changed(whole, random));
     }

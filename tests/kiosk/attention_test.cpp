@@ -78,12 +78,12 @@ TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair)
         cut.order = whole.order;
         cut.order.slot = static_cast<std::uint64_t>(2 * answered + 1);
         Procedure first(study_, cut);
-        const Moment now{0.0, "2026-05-01T12:00:00Z"};
-        (void)first.step(ScreenPresented{}, now);
-        (void)first.step(StartPressed{}, now);
-        (void)first.step(ScreenPresented{}, now);
+        const auto at = [](double time_s) { return Moment{time_s, "2026-05-01T12:00:00Z"}; };
+        (void)first.step(ScreenPresented{}, at(0.0));
+        (void)first.step(StartPressed{}, at(1.0));
+        (void)first.step(ScreenPresented{}, at(2.0));
         for (const Row& row :
-             first.step(FormSubmitted{{30, "", std::nullopt, std::nullopt, true}}, now)) {
+             first.step(FormSubmitted{{30, "", std::nullopt, std::nullopt, true}}, at(3.0))) {
             commit(store_, row);
         }
         for (TrialRecord& trial : trials) {
@@ -92,7 +92,7 @@ TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair)
         }
         Procedure rest(study_, cut);
         Journal journal = journal_to(store_);
-        journal.add(rest.resume(store_.trials_of(cut.session_id), true, 100.0, now));
+        journal.add(rest.resume(store_.trials_of(cut.session_id), true, 100.0, at(0.0)));
         EXPECT_EQ(rest.pair(), answered);
         base::Random random(1);
         VirtualClock clock;

@@ -18,7 +18,7 @@ constexpr Colour kQuiet{190, 192, 194};  // of other buttons
 constexpr Colour kField{244, 244, 245};  // of what is filled in
 
 /// A row's stretch of one colour.
-struct Run {
+struct Band {
     int left;
     int right;
     int y;
@@ -33,8 +33,8 @@ bool is_colour(const stimuli::RgbImage& screen, int x, int y, const Colour& colo
     return true;
 }
 
-std::vector<Run> runs_of(const stimuli::RgbImage& screen, const Colour& colour, int at_least) {
-    std::vector<Run> runs;
+std::vector<Band> runs_of(const stimuli::RgbImage& screen, const Colour& colour, int at_least) {
+    std::vector<Band> runs;
     for (int y = 0; y < screen.height; ++y) {
         for (int x = 0; x < screen.width; ++x) {
             const int left = x;
@@ -95,7 +95,7 @@ TEST(KioskInput, AWholeSessionByMouseAlone) {
     Visitor visitor(shown);
     visitor.start_program();
     click_way_on(visitor);
-    std::vector<Run> fields;
+    std::vector<Band> fields;
     for (int look = 0; look < 200 && fields.empty(); ++look) {
         fields = runs_of(visitor.display().screen(), kField, 10);
         pause(0.05);

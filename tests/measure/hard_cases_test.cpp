@@ -33,7 +33,8 @@ TEST_F(HardCases, NoneFailsOnAnyTechniqueWithoutAReason) {
         names.insert(row.name);
         EXPECT_NE(row.outcome, Outcome::kFails)
             << row.name << ", " << row.technique << ", " << row.quantity << ": expected "
-            << row.expected << ", measured " << row.measured << ", tolerance " << row.tolerance;
+            << row.expected << ", measured " << row.measured << ", tolerance " << row.tolerance
+            << "; " << row.note;
         if (row.outcome == Outcome::kByNature) {
             EXPECT_FALSE(row.note.empty()) << row.quantity;
         }

@@ -104,7 +104,7 @@ TEST_F(Measure, ASceneWithoutAStudyIsPrintedWithNothingOfTheThesisAndCallsForeig
         EXPECT_THAT(text, HasSubstr(row.variant));
         EXPECT_EQ(row.scene_id, "boxes");
         EXPECT_EQ(row.published, "");
-        EXPECT_EQ(row.values, row.technique == "crytek" ? "standard" : "start") << row.variant;
+        EXPECT_EQ(row.values, "start") << row.variant;
     }
     EXPECT_THAT(text, testing::Not(HasSubstr("thesis")));
     EXPECT_THAT(text, testing::Not(HasSubstr("published")));

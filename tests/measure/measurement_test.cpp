@@ -7,12 +7,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "analysis/table/csv.h"
 #include "analysis/fit/minimise.h"
 #include "analysis/image_error/final_image_error.h"
 #include "analysis/measurement/order_of_techniques.h"
 #include "analysis/measurement/pareto.h"
 #include "analysis/measurement/report.h"
+#include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"

@@ -117,7 +117,8 @@ std::vector<Fault> all_faults() {
         add("RayWithoutLensShift", "passes/view.glsl", "u_ray_scale + u_ray_offset", "u_ray_scale");
         add("DepthOneTexelOff", "passes/view.glsl", "ivec2(uv * u_size)",
             "min(ivec2(uv * u_size) + ivec2(1, 0), ivec2(u_size) - 1)");
-        add("OutsideIsNear", "passes/view.glsl", "return kBackgroundDepth_m", "return 0.0");
+        add("OutsideIsTheBorder", "passes/view.glsl", "return kBackgroundDepth_m",
+            "uv = clamp(uv, vec2(0.0), vec2(0.999))");
     }
     const auto add = [&](const char* technique, const char* name, const char* file,
                          const char* right, const char* wrong) {

@@ -15,7 +15,7 @@ using renderer::Mesh;
 
 const vec3 kPlace(-0.45F, 0.0F, -1.30F);
 constexpr float kHalfWidth = 0.42F;  ///< of its width
-constexpr float kLow = 0.30F;   ///< of the fins
+constexpr float kLow = 0.30F;        ///< of the fins
 constexpr float kHigh = 1.18F;
 
 /// Thin plates on a row of tubes that turn back at their ends.
@@ -23,8 +23,8 @@ void put_core(Assembly& hall) {
     const Mesh plate = bevelled_box({0.0022F, kHigh - kLow, 0.16F}, 0.0F);
     constexpr int kPlates = 88;
     for (int i = 0; i < kPlates; ++i) {
-        const float x =
-            -kHalfWidth + 0.03F + (2.0F * kHalfWidth - 0.06F) * (static_cast<float>(i) + 0.5F) / kPlates;
+        const float x = -kHalfWidth + 0.03F +
+                        (2.0F * kHalfWidth - 0.06F) * (static_cast<float>(i) + 0.5F) / kPlates;
         const auto seed = 600U + static_cast<std::uint32_t>(i);
         hall.put(Surface::kZinc, plate, moved(kPlace + vec3(x, 0.5F * (kLow + kHigh), 0.0F)), seed,
                  shade_of(seed, 0.25F));
@@ -34,8 +34,8 @@ void put_core(Assembly& hall) {
         const float y = kLow + (kHigh - kLow) * (static_cast<float>(i) + 0.5F) / kTubes;
         for (const float z : {-0.045F, 0.045F}) {
             hall.put(Surface::kCopper,
-                     rod({-kHalfWidth - 0.02F, y, z}, {kHalfWidth + 0.02F, y, z}, 0.013F, 14), moved(kPlace),
-                     700U);
+                     rod({-kHalfWidth - 0.02F, y, z}, {kHalfWidth + 0.02F, y, z}, 0.013F, 14),
+                     moved(kPlace), 700U);
         }
         if (i + 1 == kTubes) continue;
         const float end = i % 2 == 0 ? 1.0F : -1.0F;
@@ -51,7 +51,8 @@ void put_core(Assembly& hall) {
 void put_frame(Assembly& hall) {
     for (const float x : {-1.0F, 1.0F}) {
         hall.put(Surface::kEnamel, bevelled_box({0.025F, kHigh + 0.05F - 0.0F, 0.20F}, 0.004F),
-                 moved(kPlace + vec3(x * kHalfWidth, 0.5F * (kHigh + 0.05F), 0.0F)), 710U, kBlueGrey);
+                 moved(kPlace + vec3(x * kHalfWidth, 0.5F * (kHigh + 0.05F), 0.0F)), 710U,
+                 kBlueGrey);
         hall.put(Surface::kEnamel, bevelled_box({0.11F, 0.02F, 0.30F}, 0.004F),
                  moved(kPlace + vec3(x * kHalfWidth, 0.01F, 0.0F)), 711U, kBlueGrey);
         for (const float z : {-0.12F, 0.12F}) {

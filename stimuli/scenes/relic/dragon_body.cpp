@@ -30,8 +30,8 @@ class RowsAlong {
             const float along_m = step_m_ * static_cast<float>(step);
             while (next + 1 < curve.size() && curve[next].length_m < along_m) ++next;
             rows_.push_back(rows);
-            rows += step_m_ /
-                    (kScaleLength * 2.0F * kTurnHalf * curve[next].width_m / static_cast<float>(around));
+            rows += step_m_ / (kScaleLength * 2.0F * kTurnHalf * curve[next].width_m /
+                               static_cast<float>(around));
         }
     }
     [[nodiscard]] float at(float along_m) const {
