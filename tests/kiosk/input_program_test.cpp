@@ -50,8 +50,8 @@ std::vector<Band> runs_of(const stimuli::RgbImage& screen, const Colour& colour,
 void click_way_on(Visitor& visitor) {
     constexpr int kThicker = 8;
     const auto runs = runs_of(visitor.display().screen(), kAccent, 60);
-    const auto button = std::find_if(runs.begin(), runs.end(), [&](const Run& top) {
-        return std::any_of(runs.begin(), runs.end(), [&](const Run& below) {
+    const auto button = std::find_if(runs.begin(), runs.end(), [&](const Band& top) {
+        return std::any_of(runs.begin(), runs.end(), [&](const Band& below) {
             return below.y == top.y + kThicker && below.left <= top.middle() &&
                    top.middle() <= below.right;
         });
