@@ -10,6 +10,8 @@ namespace obscura::app::kiosk {
 /// server, on a connection of its own. A compositing window manager draws every window apart, so
 /// the server calls none of them covered; what lies before a window is not known then, only that
 /// it lost the focus. Nor is it known what covered the window before this watch began.
+///
+/// It also tells GLFW of a new layout of the keyboard.
 class CoverWatch {
   public:
     /// `window` must outlive it. Where there is no X server, nothing is ever covered.

@@ -41,7 +41,11 @@ template <typename Choice>
     while (!choice) {
         draw_next_frame(
             stage, [&] { choice = page(); }, idle_frames);
-        if (!std::exchange(end_seen, stage.ui.end_seen()) && end_seen) take_input();
+        if (!std::exchange(end_seen, stage.ui.end_seen()) && end_seen) {
+            // What scrolled there presses nothing.
+            choice.reset();
+            take_input();
+        }
         const auto keys = input.take_keys();
         if (!choice && std::any_of(keys.begin(), keys.end(),
                                    [](const auto& key) { return is_operators_key(key); })) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "tests/kiosk/visitor.h"
@@ -45,11 +46,18 @@ std::vector<Band> runs_of(const stimuli::RgbImage& screen, const Colour& colour,
     return runs;
 }
 
-/// Clicks a little below the top of the first run of the colour.
+/// Clicks the first button of the colour, which the ring around the focus has as well but thinner.
 void click_way_on(Visitor& visitor) {
+    constexpr int kThicker = 8;
     const auto runs = runs_of(visitor.display().screen(), kAccent, 60);
-    ASSERT_FALSE(runs.empty()) << "there is no way on";
-    visitor.click(runs.front().middle(), runs.front().y + 6);
+    const auto button = std::find_if(runs.begin(), runs.end(), [&](const Band& top) {
+        return std::any_of(runs.begin(), runs.end(), [&](const Band& below) {
+            return below.y == top.y + kThicker && below.left <= top.middle() &&
+                   top.middle() <= below.right;
+        });
+    });
+    ASSERT_NE(button, runs.end()) << "there is no way on";
+    visitor.click(button->middle(), button->y + kThicker);
 }
 
 TEST(KioskInput, ADoubleClickOnAnAnswerDoesNotBeginTheNextPair) {

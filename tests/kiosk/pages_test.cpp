@@ -49,7 +49,7 @@ class ShownPage {
     }
     /// Frames until all input is used up and the layout follows it.
     void draw() {
-        for (int frame = 0; frame < 3 || window_.input().more(); ++frame) {
+        for (int frame = 0; frame < 6 || window_.input().more(); ++frame) {
             ui_.draw([this] {
                 auto event = draw_();
                 if (event) event_ = event;
@@ -343,6 +343,8 @@ TEST_F(Pages, ThanksAreLeftByNoKeyOrClickOfAParticipant) {
 
 TEST(PageCheck, SaysWhichPagesScrollInTheSmallestWindow) {
     stimuli::Study study = small_study(7);
+    study.width = 320;
+    study.height = 200;
     EXPECT_THAT(notes_on_pages(study), IsEmpty());
     study.instructions = many_lines(60);
     EXPECT_THAT(notes_on_pages(study),
