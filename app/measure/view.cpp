@@ -95,7 +95,7 @@ Source find_builtin(const std::vector<stimuli::BuiltinScene>& catalogue,
     for (const stimuli::BuiltinScene& scene : catalogue) {
         if (scene.id != source) continue;
         return std::make_shared<const stimuli::SceneSource>(stimuli::SceneSource{
-            scene.id, scene.id, scene.cameras, scene.levels, {}, scene.build, scene.lighting});
+            scene.id, scene.id, scene.cameras, scene.levels, scene.build, scene.lighting});
     }
     return nullptr;
 }

@@ -62,8 +62,8 @@ class Frame {
     /// an 8-bit buffer.
     [[nodiscard]] std::vector<float> read_components(std::string_view buffer, int channels,
                                                      int level = 0) const;
-    /// 1 where a visibility buffer has no triangle, else 0; upper row first. A depth does not always
-    /// say so: half floats hold no depth beyond 65504 m.
+    /// 1 where a visibility buffer has no triangle, else 0; upper row first. A depth does not
+    /// always say so: half floats hold no depth beyond 65504 m.
     [[nodiscard]] std::vector<std::uint8_t> read_empty(std::string_view visibility) const;
     /// The stored bytes of the first level of any buffer, as OpenGL holds them.
     [[nodiscard]] std::vector<std::uint8_t> read_bytes(std::string_view buffer) const;
