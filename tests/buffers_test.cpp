@@ -166,7 +166,7 @@ TEST(Buffers, AreWrittenBesideTheImageWhereAskedFor) {
     EXPECT_EQ(image.texts.at("obscura:variant"), "RayMarching30");
 }
 
-TEST(Supersampling, GivesAnImageOfTheStudysSizeThatTheManifestRecords) {
+TEST(SupersampledStudy, GivesAnImageOfTheStudysSizeThatTheManifestRecords) {
     const tests::TemporaryFolder folder;
     Study study = study_of_blocks();
     study.supersampling = 2;

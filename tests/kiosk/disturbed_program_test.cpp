@@ -54,7 +54,7 @@ TEST(KioskDisturbed, AMonitorThatGoesDuringAGreyIntervalEndsNoIntervalAndTheTria
     visitor.leave_first_image();
     EXPECT_THROW(visitor.display().tool({"xrandr", "--output", "screen", "--off"}),
                  std::runtime_error);
-    EXPECT_TRUE(visitor.notes("monitor lost"));
+    EXPECT_TRUE(visitor.notes("monitor lost")) << visitor.said();
     EXPECT_TRUE(Visitor::wait_for([&] { return visitor.sees_page(); })) << "a calm page";
     visitor.display().tool({"xrandr", "--output", "screen", "--mode",
                             fmt::format("{}x{}", kScreenWidth, kScreenHeight)});
