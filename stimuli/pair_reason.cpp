@@ -102,7 +102,7 @@ std::string reason_of_radius(const Condition& condition, const renderer::Scene& 
     const renderer::Bounds bounds = renderer::bounds_of(scene);
     const float pixels_of_m =
         0.5F * static_cast<float>(height) / (std::tan(0.5F * camera.vertical_fov_rad) * median_m);
-    for (const renderer::TechniqueChoice* side : {&condition.b, &condition.a}) {
+    for (const renderer::Variant* side : {&condition.b, &condition.a}) {
         const renderer::Technique* technique = renderer::find_technique(side->technique);
         const renderer::Parameter* radius =
             technique == nullptr ? nullptr : technique->find_parameter("radius_m");

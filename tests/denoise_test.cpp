@@ -17,7 +17,7 @@ class DenoiseTest : public testing::Test {
   protected:
     Frame render(const Scene& scene, const std::string& technique, const std::string& denoise,
                  std::map<std::string, double> parameters = {}) {
-        TechniqueChoice choice = tests::choice_of(technique, denoise);
+        Variant choice = tests::choice_of(technique, denoise);
         choice.parameters = std::move(parameters);
         const GpuScene gpu(scene);
         return renderer_.render({gpu, {}, tests::forward_camera()}, choice, 256, 256);

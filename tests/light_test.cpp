@@ -202,7 +202,7 @@ TEST_F(Light, AccessibilityScalesTheAmbientTermAndNothingElse) {
     lighting.ambient = glm::vec3(0.25F);
     lighting.lights.push_back(
         {glm::vec3(0.0F, 0.0F, 1.0F), glm::vec3(0.4F * std::numbers::pi_v<float>)});
-    const auto middle = [&](const TechniqueChoice& choice) {
+    const auto middle = [&](const Variant& choice) {
         const GpuScene gpu(scene);
         const Frame frame =
             renderer_.render({gpu, lighting, tests::forward_camera()}, choice, 256, 256);

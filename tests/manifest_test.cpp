@@ -50,7 +50,7 @@ class Stimuli : public testing::Test {
     }
 
     void add_image(const Condition& condition, const std::string& side,
-                   const renderer::TechniqueChoice& choice) {
+                   const renderer::Variant& choice) {
         ManifestImage image;
         image.file = condition.id + "-" + side + ".png";
         write_png(folder_ / image.file, study_.width, study_.height);

@@ -130,7 +130,7 @@ TEST(Plan, BadChoicesAndSizesAreRefused) {
                  base::Error);
     EXPECT_THROW((void)plan_frame({}, choice_of("none"), 10, 10, {.occluding_opacity = 0.0F}),
                  base::Error);
-    TechniqueChoice odd = choice_of("crytek");
+    Variant odd = choice_of("crytek");
     odd.samples = 12;
     EXPECT_THROW((void)plan_frame({}, odd, 10, 10), base::Error);
     odd.samples = -8;
@@ -139,7 +139,7 @@ TEST(Plan, BadChoicesAndSizesAreRefused) {
 }
 
 TEST(Choice, ProblemsNameTheKeyTheValueAndWhatIsAllowed) {
-    TechniqueChoice choice = choice_of("blizzard");
+    Variant choice = choice_of("blizzard");
     choice.samples = -1;
     choice.parameters = {{"radius_m", std::nan("")}, {"offset_scale", 0.1}};
     const auto problems = problems_of(choice);

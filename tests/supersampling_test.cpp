@@ -19,7 +19,7 @@ constexpr int kHeight = 64;
 
 class Supersampling : public testing::Test {
   protected:
-    Frame render(const Scene& scene, const TechniqueChoice& choice, const FrameOptions& options,
+    Frame render(const Scene& scene, const Variant& choice, const FrameOptions& options,
                  const TracedAccessibility& traced = {}) {
         const GpuScene gpu(scene);
         return renderer_.render({gpu, {}, tests::forward_camera(), options, traced}, choice, kWidth,
@@ -54,11 +54,11 @@ TEST_F(Supersampling, LetsNoAccessibilityLeakOverASilhouette) {
     // quarter open, the others three quarters.
     Scene scene = tests::facing_wall(10.0F);
     tests::add_quad(scene, {-8.0F, -4.0F, -2.0F}, {8.3F, 0.0F, 0.0F}, {-0.5F, 8.0F, 0.0F});
-    const TechniqueChoice choice = choice_of("reference", "none");
+    const Variant choice = choice_of("reference", "none");
     for (const int samples : {2, 3, 4}) {
         const Frame depth = render(scene, choice_of("crytek", "none"), {});
         const std::vector<float> depth_m = depth.read_floats(Target::kDepth);
-        const auto traced = [&](const Camera&, int, int, const TechniqueChoice&) {
+        const auto traced = [&](const Camera&, int, int, const Variant&) {
             std::vector<float> open;
             for (const float z : depth_m) open.push_back(z < 5.0F ? 0.25F : 0.75F);
             return open;
@@ -90,7 +90,7 @@ TEST_F(Supersampling, GivesWhatNoPixelsMiddleSeesTheAccessibilityOfASurfaceBesid
     }
     const std::vector<float> depth_m =
         render(scene, choice_of("crytek"), {}).read_floats(Target::kDepth);
-    const auto traced = [&](const Camera&, int, int, const TechniqueChoice&) {
+    const auto traced = [&](const Camera&, int, int, const Variant&) {
         return std::vector<float>(depth_m.size(), 0.25F);
     };
     const Frame frame = render(scene, choice_of("reference"), {.supersampling = 2}, traced);

@@ -43,7 +43,7 @@ void add_wall(Scene& scene, float distance_m) {
 class Surface : public testing::Test {
   protected:
     Frame render(const Scene& scene, const Lighting& lighting, const FrameOptions& options = {},
-                 const TechniqueChoice& choice = {}) {
+                 const Variant& choice = {}) {
         const GpuScene gpu(scene);
         return renderer_.render({gpu, lighting, tests::forward_camera(), options}, choice, kSize,
                                 kSize);
@@ -124,7 +124,7 @@ TEST_F(Surface, OnlyANearlyOpaqueBlendedSurfaceIsSeenByTheTechniqueAndOnlyWhereA
     Material& material = new_material(scene);
     material.opacity = 0.95F;
     material.coverage = Coverage::kBlended;
-    const TechniqueChoice crytek{"crytek", 24, {}, "none"};
+    const Variant crytek{"crytek", 24, {}, "none"};
     const Frame asked = render(scene, {}, {.occluding_opacity = 0.9F}, crytek);
     EXPECT_NEAR(asked.read_floats(Target::kOccluderDepth)[kSize * kSize / 2 + 32], 2.0F, 1e-5F);
     EXPECT_NEAR(asked.read_floats(Target::kDepth)[kSize * kSize / 2 + 32], 8.0F, 1e-5F);

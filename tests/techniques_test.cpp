@@ -19,7 +19,7 @@ using tests::forward_camera;
 
 class Techniques : public testing::TestWithParam<std::string> {
   protected:
-    Frame render(const Scene& scene, const TechniqueChoice& choice, int width, int height,
+    Frame render(const Scene& scene, const Variant& choice, int width, int height,
                  const Camera& camera = forward_camera()) {
         const Lighting lighting;
         const GpuScene gpu(scene);
@@ -98,7 +98,7 @@ TEST_P(Computing, EveryValueIsFiniteAndInRangeOnHardGeometry) {
     for (Vertex& vertex : line.vertices) vertex.position_m = {0.0F, 0.0F, -4.0F};
     scene.meshes.push_back(line);
     for (const double radius : {0.0, 1e-8, 0.5, 1000.0}) {
-        TechniqueChoice choice = choice_of(GetParam());
+        Variant choice = choice_of(GetParam());
         const Technique& technique = *find_technique(GetParam());
         const Parameter& reach = *technique.find_parameter(technique.reach);
         choice.parameters[reach.name] = std::min(radius, reach.high);
@@ -114,7 +114,7 @@ TEST_P(Computing, ACornerIsDarkerThanTheOpenWall) {
     Scene scene = tests::empty_scene();
     tests::add_quad(scene, {-20.0F, -1.0F, -6.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 20.0F, 0.0F});
     tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -6.0F});
-    TechniqueChoice choice = choice_of(GetParam());
+    Variant choice = choice_of(GetParam());
     if (find_technique(GetParam())->find_parameter("power") != nullptr) {
         choice.parameters["power"] = 64.0;
     }
@@ -171,7 +171,7 @@ TEST_P(Computing, EveryPixelIsWhatTheDefinitionGives) {
     camera.target_m = {-0.2F, -0.3F, -4.0F};
     camera.far_m = 30.0F;
     camera.lens_shift = {0.1F, -0.2F};
-    TechniqueChoice choice = choice_of(GetParam());
+    Variant choice = choice_of(GetParam());
     const Technique& technique = *find_technique(GetParam());
     for (const auto& [name, value] : {std::pair("offset_scale", 0.02),
                                       {"radius_m", 0.9},
@@ -217,7 +217,7 @@ TEST_F(Techniques, RaymarchFindsAnOccluderThatBlizzardStepsOver) {
     double mean[2] = {0.0, 0.0};
     int index = 0;
     for (const char* name : {"blizzard", "raymarch"}) {
-        TechniqueChoice choice = choice_of(name);
+        Variant choice = choice_of(name);
         choice.samples = 64;
         choice.parameters = {{"radius_m", 0.6}, {"power", 16.0}};
         const std::vector<float> values = middle(render(scene, choice, 256, 256), 40);

@@ -50,9 +50,8 @@ inline renderer::Camera forward_camera() {
 }
 
 /// A technique as it is by default, without a filter unless one is named.
-inline renderer::TechniqueChoice choice_of(const std::string& name,
-                                           const std::string& denoise = "none") {
-    renderer::TechniqueChoice choice;
+inline renderer::Variant choice_of(const std::string& name, const std::string& denoise = "none") {
+    renderer::Variant choice;
     choice.technique = name;
     choice.samples = renderer::find_technique(name)->samples.standard;
     choice.denoise = denoise;

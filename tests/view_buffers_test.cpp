@@ -61,7 +61,7 @@ TEST(ViewBuffers, AnImageOfAStudyThatTakesThemOverIsTheSameToTheByte) {
 
 class TakenOver : public testing::Test {
   protected:
-    Frame render(const renderer::TechniqueChoice& choice, const renderer::FrameOptions& options,
+    Frame render(const renderer::Variant& choice, const renderer::FrameOptions& options,
                  const renderer::ViewBuffers& known = {}, int width = 32) {
         return renderer_.render({gpu_, lighting_, tests::forward_camera(), options}, choice, width,
                                 32, known);
@@ -94,11 +94,11 @@ TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
             lighting.lights.push_back({glm::vec3(0.4F, 0.8F, 0.4F), glm::vec3(3.0F)});
         }
         const auto half_open = [](const renderer::Camera&, int width, int height,
-                                  const renderer::TechniqueChoice&) {
+                                  const renderer::Variant&) {
             return std::vector<float>(static_cast<std::size_t>(width * height), 0.5F);
         };
         for (const char* name : {"none", "blizzard", "reference", "crytek", "raymarch", "none"}) {
-            const renderer::TechniqueChoice choice = tests::choice_of(name);
+            const renderer::Variant choice = tests::choice_of(name);
             const auto render = [&](const renderer::ViewBuffers& from) {
                 return renderer_.render(
                     {gpu, lighting, tests::forward_camera(), options, half_open}, choice, 48, 32,
@@ -140,7 +140,7 @@ TEST_F(TakenOver, IsNothingOfAnotherSizeFormatOrOption) {
             .empty());
     EXPECT_TRUE(
         render({"crytek", 24, {}, "none"}, {}, crytek.view_buffers(), 33).taken_over().empty());
-    renderer::TechniqueChoice half{"crytek", 24, {}, "none"};
+    renderer::Variant half{"crytek", 24, {}, "none"};
     half.depth_format = "r16f";
     EXPECT_TRUE(render(half, {}, crytek.view_buffers()).taken_over().empty());
 }

@@ -116,10 +116,10 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
         for (HypothesisResult& result : analysis.hypotheses) {
             if (!result.pooling.has_value()) continue;
             result.by_participant = Possible<SignFlipTest>::none(why);
-            result.resampled = Possible<Bounds>::none(why);
+            result.resampled = Possible<Interval>::none(why);
         }
         for (VariantScale& scale : analysis.scales) {
-            scale.resampled_jod = Possible<std::vector<Bounds>>::none(why);
+            scale.resampled_jod = Possible<std::vector<Interval>>::none(why);
         }
     } else {
         analyse_participants(analysis, seed);

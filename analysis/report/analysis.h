@@ -63,7 +63,7 @@ enum class ShareIntervalKind {
     kCounts      ///< Wilson's, as many votes as one condition has: who gave them is not known
 };
 struct ShareInterval {
-    Bounds bounds;  ///< 95 %, of the share of B
+    Interval bounds;  ///< 95 %, of the share of B
     ShareIntervalKind kind = ShareIntervalKind::kCounts;
 };
 
@@ -78,7 +78,7 @@ struct HypothesisResult {
     /// Of participants instead of votes: those of one participant may hang together.
     Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
     /// Of the pooled share of B, by drawing participants anew.
-    Possible<Bounds> resampled = Possible<Bounds>::none("not known");
+    Possible<Interval> resampled = Possible<Interval>::none("not known");
     /// The interval to read, which the verdict rests on.
     Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
     int significant = 0;       ///< conditions with p below the level
@@ -111,7 +111,7 @@ struct LevelDifference {
     std::size_t from = 0;  ///< place in Comparison::levels
     std::size_t to = 0;
     double difference = 0.0;  ///< share at `to` less share at `from`, -1 to 1
-    Bounds interval;          ///< 95 %
+    Interval interval;        ///< 95 %
     DifferenceKind kind = DifferenceKind::kCounts;
 };
 
@@ -175,7 +175,8 @@ struct VariantScale {
     Possible<Scale> bradley_terry = Possible<Scale>::none("no votes");  ///< in log odds
     Possible<Scale> thurstone = Possible<Scale>::none("no votes");      ///< in JOD
     /// 95 % of each variant's JOD, by drawing participants anew; the reference's is 0 to 0.
-    Possible<std::vector<Bounds>> resampled_jod = Possible<std::vector<Bounds>>::none("not known");
+    Possible<std::vector<Interval>> resampled_jod =
+        Possible<std::vector<Interval>>::none("not known");
 };
 
 /// How attentive and how fast one participant was.
@@ -204,7 +205,7 @@ struct ResponseTimeSummary {
     Quartiles seconds;
     /// 95 % of the median, from order statistics: no assumption on the times but that participants
     /// are independent.
-    Possible<Bounds> median_interval = Possible<Bounds>::none("too few values");
+    Possible<Interval> median_interval = Possible<Interval>::none("too few values");
 };
 
 struct ResponseTimes {
@@ -220,7 +221,7 @@ inline constexpr std::size_t kFewestForTrend = 3;
 struct TimeTrend {
     std::int64_t participants = 0;
     double slope_s = 0.0;  ///< seconds for each further trial
-    Possible<Bounds> interval = Possible<Bounds>::none("too few values");  ///< 95 %
+    Possible<Interval> interval = Possible<Interval>::none("too few values");  ///< 95 %
 };
 
 /// What changes over the session.
@@ -279,7 +280,7 @@ struct Verdict {
     Possible<double> p_holm = Possible<double>::none("no votes");
     std::size_t tests = 0;  ///< that were corrected together
     /// 95 %, of the share of B; of validity, of the difference that may be largest.
-    Possible<Bounds> interval = Possible<Bounds>::none("no votes");
+    Possible<Interval> interval = Possible<Interval>::none("no votes");
     std::string sentence;  ///< with the conclusion and its numbers
 };
 

@@ -87,7 +87,7 @@ HypothesisResult tested(const std::string& name, const std::vector<const Conditi
         result.pooled = preference_of(sum);
     } else {
         result.pooled = nothing_pooled(result.pooling.reason);
-        result.resampled = Possible<Bounds>::none(result.pooling.reason);
+        result.resampled = Possible<Interval>::none(result.pooling.reason);
         result.by_participant = Possible<SignFlipTest>::none(result.pooling.reason);
         result.interval = Possible<ShareInterval>::none(result.pooling.reason);
     }
@@ -135,7 +135,7 @@ ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
         const auto interval = wilson_of_share(share, most_votes_of(result, tally), kConfidence);
         return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
     }
-    const Possible<Bounds>& drawn = result.resampled;
+    const Possible<Interval>& drawn = result.resampled;
     if (drawn.has_value() && drawn->low < drawn->high) {
         return {{std::min(drawn->low, result.pooled.wilson->low),
                  std::max(drawn->high, result.pooled.wilson->high)},

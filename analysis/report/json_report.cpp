@@ -75,8 +75,8 @@ Json condition_json(const ConditionResult& result) {
 /// The interval to read, with what it rests on.
 void put_share_interval(Json& object, const Possible<ShareInterval>& interval) {
     put_interval(object, "share_b_interval",
-                 interval.has_value() ? Possible<Bounds>(interval->bounds)
-                                      : Possible<Bounds>::none(interval.reason));
+                 interval.has_value() ? Possible<Interval>(interval->bounds)
+                                      : Possible<Interval>::none(interval.reason));
     if (!interval.has_value()) return;
     object["share_b_interval_from"] = interval->kind == ShareIntervalKind::kResampled ? "resampled"
                                       : interval->kind == ShareIntervalKind::kEachOnce

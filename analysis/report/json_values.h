@@ -37,7 +37,7 @@ inline void put_p(Json& object, const std::string& name, const Possible<PValue>&
     }
 }
 
-/// NAME_low and NAME_high of an Interval or Bounds.
+/// NAME_low and NAME_high of an Interval or Interval.
 template <typename Range>
 void put_interval(Json& object, const std::string& name, const Possible<Range>& interval) {
     if (interval.has_value()) {

@@ -47,7 +47,7 @@ Plot shares_plot(const Analysis& analysis) {
     return interval_plot(plot);
 }
 
-std::string interval_cell(const Possible<Interval>& interval) {
+std::string share_cell(const Possible<Interval>& interval) {
     if (!interval.has_value()) return kNoValue;
     return fmt::format("{:.1f} to {:.1f}", 100.0 * interval->low, 100.0 * interval->high);
 }
@@ -64,7 +64,7 @@ Table shares_table(const Analysis& analysis) {
             {condition.id, condition.variant_a, condition.variant_b,
              fmt::format("{} : {}", condition.votes.a, condition.votes.b),
              tests.share_b.has_value() ? fmt::format("{:.1f}", 100.0 * *tests.share_b) : kNoValue,
-             interval_cell(tests.wilson),
+             share_cell(tests.wilson),
              tests.cohens_g.has_value() ? fmt::format("{:+.3f}", *tests.cohens_g) : kNoValue,
              tested ? fmt::format("{:.3f}", tests.chi_square->statistic) : kNoValue,
              tested ? p_cell(Possible<PValue>(tests.chi_square->p)) : kNoValue, p_cell(tests.exact),
@@ -90,7 +90,7 @@ Table belief_table(const Analysis& analysis) {
         const bool known = belief.has_value();
         table.rows.push_back({result->condition.id,
                               known ? fmt::format("{:.1f}", 100.0 * belief->mean) : kNoValue,
-                              known ? interval_cell(belief->interval) : kNoValue,
+                              known ? share_cell(belief->interval) : kNoValue,
                               known ? p_cell(Possible<PValue>(belief->above_half)) : kNoValue,
                               bayes_cell(result->preference.bayes_factor)});
     }

@@ -22,7 +22,7 @@ void add_row(IntervalPlot& plot, Table& table, const std::string& name, std::siz
                           fmt::format("{:.2f}", seconds.third), interval});
 }
 
-std::string interval_cell(const Possible<Bounds>& interval) {
+std::string seconds_cell(const Possible<Interval>& interval) {
     if (!interval.has_value()) return kNoValue;
     return fmt::format("{:.2f} to {:.2f}", interval->low, interval->high);
 }
@@ -124,10 +124,10 @@ void add_response_times(ReportDraft& draft) {
         const Possible<ResponseTimeSummary>& summary = times.by_condition[i];
         if (!summary.has_value()) continue;
         add_row(plot, table, analysis.conditions[i].condition.id, 0, summary->seconds,
-                interval_cell(summary->median_interval));
+                seconds_cell(summary->median_interval));
     }
     add_row(plot, table, "all", 1, times.overall.seconds,
-            interval_cell(times.overall.median_interval));
+            seconds_cell(times.overall.median_interval));
     draft.plot(
         interval_plot(plot),
         "Time from the question to the answer, not counting the time for which the images were "

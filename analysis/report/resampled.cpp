@@ -131,7 +131,7 @@ class ResampledScales {
     }
 
   private:
-    using None = Possible<std::vector<Bounds>>;
+    using None = Possible<std::vector<Interval>>;
     static constexpr double kMostWork = 3e8;
     static constexpr double kWorkOfCondition = 300.0;
     static constexpr double kWorkOfScale = 5000.0;
@@ -145,14 +145,14 @@ class ResampledScales {
             return None::none(fmt::format("{} of {} samples have no finite scale",
                                           drawn_ - static_cast<int>(fitted), drawn_));
         }
-        std::vector<Bounds> intervals;
+        std::vector<Interval> intervals;
         for (std::vector<double>& values : variants) {
             intervals.push_back(*percentile_interval(values, kConfidence));
         }
         // The first is the reference, which stands at 0 in every sample.
         const bool is_point =
             std::any_of(intervals.begin() + 1, intervals.end(),
-                        [](const Bounds& interval) { return interval.low == interval.high; });
+                        [](const Interval& interval) { return interval.low == interval.high; });
         if (is_point) return None::none("everybody answered alike: drawing anew changes nothing");
         return intervals;
     }
@@ -166,10 +166,10 @@ class ResampledScales {
 
 void say_why(Analysis& analysis, const std::string& why) {
     for (HypothesisResult& result : analysis.hypotheses) {
-        if (result.pooling.has_value()) result.resampled = Possible<Bounds>::none(why);
+        if (result.pooling.has_value()) result.resampled = Possible<Interval>::none(why);
     }
     for (VariantScale& scale : analysis.scales) {
-        scale.resampled_jod = Possible<std::vector<Bounds>>::none(why);
+        scale.resampled_jod = Possible<std::vector<Interval>>::none(why);
     }
 }
 

@@ -151,9 +151,9 @@ std::string belief_table(const Analysis& analysis) {
     return aligned(rows, 1);
 }
 
-std::string resampled_text(const Possible<std::vector<Bounds>>& intervals, std::size_t variant) {
+std::string resampled_text(const Possible<std::vector<Interval>>& intervals, std::size_t variant) {
     if (!intervals.has_value()) return kNoText;
-    const Bounds& own = (*intervals)[variant];
+    const Interval& own = (*intervals)[variant];
     return fmt::format("{:+.4f} to {:+.4f}", own.low, own.high);
 }
 

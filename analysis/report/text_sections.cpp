@@ -38,7 +38,7 @@ std::string attention_line(const char* what, const Successes& trials,
 
 TextRow times_row(const std::string& name, const Possible<ResponseTimeSummary>& times) {
     if (!times.has_value()) return {name, "0", kNoText, kNoText, kNoText, kNoText};
-    const Possible<Bounds>& interval = times->median_interval;
+    const Possible<Interval>& interval = times->median_interval;
     return {name,
             std::to_string(times->seconds.n),
             fmt::format("{:.3f}", times->seconds.median),

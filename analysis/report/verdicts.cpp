@@ -90,7 +90,7 @@ std::string interval_words(const ShareInterval& interval, bool is_tested) {
                               100.0 * kRelevantShare);
 }
 
-Conclusion conclusion_on(const Votes& votes, const Bounds& interval, bool is_significant) {
+Conclusion conclusion_on(const Votes& votes, const Interval& interval, bool is_significant) {
     if (is_significant) {
         return votes.b > votes.a ? Conclusion::kEvidenceFor : Conclusion::kEvidenceAgainst;
     }
@@ -168,7 +168,7 @@ Verdict not_tested(const ValidityResult& validity, const std::string& why) {
     verdict.is_on_validity = true;
     verdict.p = Possible<PValue>::none(why);
     verdict.p_holm = Possible<double>::none(why);
-    verdict.interval = Possible<Bounds>::none(why);
+    verdict.interval = Possible<Interval>::none(why);
     verdict.sentence =
         fmt::format("{}: {}. {}.", validity.name, to_string(verdict.conclusion), capital(why));
     return verdict;
@@ -256,13 +256,13 @@ std::string verdict_rule() {
         kSignificance, 100.0 * kRelevantShare, 100.0 * kRelevantDifference, kFewestResampled);
 }
 
-ShareReach reach_of(const Bounds& interval) {
+ShareReach reach_of(const Interval& interval) {
     constexpr double kShown = 0.0005;  // half of what the last digit shown stands for
     return {interval.high + kShown >= kRelevantShare,
             interval.low - kShown <= 1.0 - kRelevantShare};
 }
 
-bool reaches_relevant_difference(const Bounds& interval) {
+bool reaches_relevant_difference(const Interval& interval) {
     constexpr double kShown = 0.0005;
     return std::max(std::abs(interval.low), std::abs(interval.high)) + kShown >=
            kRelevantDifference;

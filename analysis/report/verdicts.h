@@ -16,11 +16,11 @@ struct ShareReach {
     bool for_b = false;  ///< a share of B of kRelevantShare or more lies in it
     bool for_a = false;  ///< one of 1 - kRelevantShare or less does
 };
-[[nodiscard]] ShareReach reach_of(const Bounds& interval);
+[[nodiscard]] ShareReach reach_of(const Interval& interval);
 
 /// Whether an interval of a difference between two levels holds one of kRelevantDifference or more,
 /// either way. An end is taken as it is shown, to a tenth of a point.
-[[nodiscard]] bool reaches_relevant_difference(const Bounds& interval);
+[[nodiscard]] bool reaches_relevant_difference(const Interval& interval);
 
 /// Conclusions that differ between the analysis and that of everybody, each in a sentence.
 [[nodiscard]] std::vector<std::string> changed_conclusions(const Analysis& analysis,

@@ -24,7 +24,7 @@ void check(std::string_view function, std::int64_t n, double confidence) {
 Interval exact(double met, double others, double confidence) {
     using boost::math::beta_distribution;
     const double tail = (1.0 - confidence) / 2.0;
-    Interval interval;
+    Interval interval{0.0, 1.0};
     if (met > 0.0) {
         interval.low = boost::math::quantile(beta_distribution<>(met, others + 1.0), tail);
     }

@@ -20,13 +20,13 @@ double reach(double one, double other, double correlation) {
 
 }  // namespace
 
-Possible<Bounds> paired_difference(const Votes& changed, std::int64_t n, double confidence) {
+Possible<Interval> paired_difference(const Votes& changed, std::int64_t n, double confidence) {
     check_votes("paired_difference", changed);
     base::check_range("paired_difference", "n", n, std::int64_t{0}, kMaxCount);
     base::check_range("paired_difference", "changes", changed.n(), std::int64_t{0}, n);
     const auto down = clopper_pearson(changed.a, n, confidence);
     const auto up = clopper_pearson(changed.b, n, confidence);
-    if (!down.has_value()) return Possible<Bounds>::none("no participants");
+    if (!down.has_value()) return Possible<Interval>::none("no participants");
     const double share_down = static_cast<double>(changed.a) / static_cast<double>(n);
     const double share_up = static_cast<double>(changed.b) / static_cast<double>(n);
     // None seen is not none there: half a change is added to each way, or the interval of few who
@@ -39,7 +39,7 @@ Possible<Bounds> paired_difference(const Votes& changed, std::int64_t n, double 
     const double low = difference - reach(share_up - up->low, down->high - share_down, correlation);
     const double high =
         difference + reach(up->high - share_up, share_down - down->low, correlation);
-    return Bounds{std::max(low, -1.0), std::min(high, 1.0)};
+    return Interval{std::max(low, -1.0), std::min(high, 1.0)};
 }
 
 }  // namespace obscura::analysis

@@ -14,7 +14,7 @@ namespace obscura::analysis {
 /// where nobody changed: its ends are then the exact upper limit of a change either way, .308 for
 /// ten participants. No value for n = 0. Throws bad input for counts outside 0 to kMaxCount, more
 /// changes than participants and a confidence that is not strictly between 0 and 1.
-[[nodiscard]] Possible<Bounds> paired_difference(const Votes& changed, std::int64_t n,
-                                                 double confidence = 0.95);
+[[nodiscard]] Possible<Interval> paired_difference(const Votes& changed, std::int64_t n,
+                                                   double confidence = 0.95);
 
 }  // namespace obscura::analysis

@@ -143,12 +143,12 @@ PreferenceFit fit_of(const Points& points, double unit) {
             deviance_test(2.0 * (saturated(points) - top), static_cast<int>(points.size()) - 1);
     }
     constexpr double kLogOdds75 = 1.0986122886681098;  // ln 3: odds of 3 to 1
-    const Bounds& ends = fit.slope_interval;
+    const Interval& ends = fit.slope_interval;
     if (slope != 0.0) fit.difference_75 = kLogOdds75 / fit.slope;
     if (ends.low > 0.0 || ends.high < 0.0) {
-        fit.difference_75_interval = Bounds{kLogOdds75 / ends.high, kLogOdds75 / ends.low};
+        fit.difference_75_interval = Interval{kLogOdds75 / ends.high, kLogOdds75 / ends.low};
     } else {
-        fit.difference_75_interval = Possible<Bounds>::none(
+        fit.difference_75_interval = Possible<Interval>::none(
             "the slope's interval holds 0: the votes allow that no difference is enough");
     }
     for (const Point& point : points) fit.votes += std::llround(point.a + point.b);

@@ -27,7 +27,7 @@ struct PreferencePoint {
 struct PreferenceFit {
     double slope = 0.0;              ///< log odds for each unit of difference
     double standard_error = 0.0;     ///< of the slope, from the curvature of the likelihood
-    Bounds slope_interval;           ///< 95 %, by profile likelihood
+    Interval slope_interval;         ///< 95 %, by profile likelihood
     ChiSquareTest likelihood_ratio;  ///< against slope 0, df 1
     /// Deviance from the votes themselves, df points - 1: a small p says that the votes do not
     /// follow the curve. No value for one point.
@@ -37,7 +37,7 @@ struct PreferenceFit {
     Possible<double> difference_75 = Possible<double>::none("the slope is 0");
     /// 95 %, from the ends of the slope's interval; no value where that holds 0, because then the
     /// votes allow that no difference at all is enough.
-    Possible<Bounds> difference_75_interval = Possible<Bounds>::none("not known");
+    Possible<Interval> difference_75_interval = Possible<Interval>::none("not known");
     std::int64_t votes = 0;
     std::size_t points = 0;  ///< with votes
 

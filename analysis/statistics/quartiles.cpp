@@ -29,12 +29,12 @@ Possible<Quartiles> quartiles(std::vector<double>& sample) {
                      quantile_of_sorted(sample, 0.5), quantile_of_sorted(sample, 0.75)};
 }
 
-Possible<Bounds> median_interval(const std::vector<double>& sorted, double confidence) {
+Possible<Interval> median_interval(const std::vector<double>& sorted, double confidence) {
     if (!(confidence > 0.0 && confidence < 1.0)) {
         throw base::bad_input("median_interval: confidence is {}, allowed is between 0 and 1",
                               confidence);
     }
-    if (sorted.empty()) return Possible<Bounds>::none("no values");
+    if (sorted.empty()) return Possible<Interval>::none("no values");
     const auto n = static_cast<double>(sorted.size());
     const double tail = (1.0 - confidence) / 2.0;
     // The k-th from below is above the median when fewer than k of n fall below it.
@@ -42,9 +42,9 @@ Possible<Bounds> median_interval(const std::vector<double>& sorted, double confi
     auto k = static_cast<std::int64_t>(std::floor(boost::math::quantile(below, tail)));
     while (k > 0 && boost::math::cdf(below, static_cast<double>(k - 1)) > tail) --k;
     while (boost::math::cdf(below, static_cast<double>(k)) <= tail) ++k;
-    if (k == 0) return Possible<Bounds>::none("too few values");
+    if (k == 0) return Possible<Interval>::none("too few values");
     const auto place = static_cast<std::size_t>(k);
-    return Bounds{sorted[place - 1], sorted[sorted.size() - place]};
+    return Interval{sorted[place - 1], sorted[sorted.size() - place]};
 }
 
 Possible<double> median_slope(const std::vector<std::pair<double, double>>& points) {

@@ -4,15 +4,10 @@
 
 #include <vector>
 
+#include "analysis/statistics/interval.h"
 #include "analysis/statistics/possible.h"
 
 namespace obscura::analysis {
-
-/// From low to high, in the unit of what it bounds.
-struct Bounds {
-    double low = 0.0;
-    double high = 0.0;
-};
 
 /// The values that part a sample into four, in its unit.
 struct Quartiles {
@@ -33,8 +28,8 @@ struct Quartiles {
 /// shape: the order statistics that the binomial distribution gives (H. A. David and H. N. Nagaraja
 /// 2003, section 7.1); it covers at least as often as it says. No value for a sample too small.
 /// `confidence` strictly between 0 and 1: throws bad input otherwise.
-[[nodiscard]] Possible<Bounds> median_interval(const std::vector<double>& sorted,
-                                               double confidence = 0.95);
+[[nodiscard]] Possible<Interval> median_interval(const std::vector<double>& sorted,
+                                                 double confidence = 0.95);
 
 /// The median slope between two points of a line of y over x (H. Theil 1950, P. K. Sen 1968), which
 /// a few wild points do not move: over all pairs of up to kMostPaired points, beyond that over each

@@ -101,11 +101,11 @@ void Resampling::run(int draws, std::uint64_t seed,
     }
 }
 
-Possible<Bounds> percentile_interval(std::vector<double>& values, double confidence) {
-    if (values.empty()) return Possible<Bounds>::none("no samples");
+Possible<Interval> percentile_interval(std::vector<double>& values, double confidence) {
+    if (values.empty()) return Possible<Interval>::none("no samples");
     std::sort(values.begin(), values.end());
     const double tail = (1.0 - confidence) / 2.0;
-    return Bounds{quantile_of_sorted(values, tail), quantile_of_sorted(values, 1.0 - tail)};
+    return Interval{quantile_of_sorted(values, tail), quantile_of_sorted(values, 1.0 - tail)};
 }
 
 }  // namespace obscura::analysis

@@ -55,7 +55,7 @@ inline constexpr std::int64_t kFewestResampled = 10;
 
 /// The percentile interval (B. Efron and R. J. Tibshirani 1993, section 13.3) of what was computed
 /// for each sample; sorts it. No value without samples.
-[[nodiscard]] Possible<Bounds> percentile_interval(std::vector<double>& values,
-                                                   double confidence = 0.95);
+[[nodiscard]] Possible<Interval> percentile_interval(std::vector<double>& values,
+                                                     double confidence = 0.95);
 
 }  // namespace obscura::analysis

@@ -10,7 +10,7 @@ namespace obscura::analysis {
 /// of the two (R. G. Newcombe 1998, Statistics in Medicine 17, 873, method 10), as if different
 /// people had voted. No value when one of them has no votes. Throws bad input for counts outside 0
 /// to kMaxCount and a confidence that is not strictly between 0 and 1.
-[[nodiscard]] Possible<Bounds> share_difference(const Votes& one, const Votes& other,
-                                                double confidence = 0.95);
+[[nodiscard]] Possible<Interval> share_difference(const Votes& one, const Votes& other,
+                                                  double confidence = 0.95);
 
 }  // namespace obscura::analysis

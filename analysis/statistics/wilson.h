@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "analysis/statistics/interval.h"
 #include "analysis/statistics/possible.h"
 
 namespace obscura::analysis {
-
-/// An interval of shares, 0 <= low <= high <= 1.
-struct Interval {
-    double low = 0.0;
-    double high = 1.0;
-};
 
 /// Wilson's score interval of a share (E. B. Wilson 1927), without continuity correction.
 /// `successes` 0 to `n`, `n` 0 to 2 kMaxCount, `confidence` strictly between 0 and 1: throws bad

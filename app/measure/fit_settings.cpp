@@ -14,7 +14,7 @@ namespace obscura::app {
 namespace {
 
 using renderer::Parameter;
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 constexpr double kReach = 20.0;  ///< factor of the published value that is searched, down and up
 
@@ -24,12 +24,12 @@ struct Cameras {
     std::vector<std::string> reported;
 };
 
-Cameras cameras_of(const std::vector<View>& views, const View& view) {
+Cameras cameras_of(const std::vector<MeasuredView>& views, const MeasuredView& view) {
     Cameras cameras;
     const auto add = [](std::vector<std::string>& list, const std::string& name) {
         if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
     };
-    for (const View& other : views) {
+    for (const MeasuredView& other : views) {
         if (other.scene == view.scene) add(cameras.reported, other.camera);
     }
     for (const std::string& name : view.scene->cameras) {
@@ -55,9 +55,9 @@ double value_of(const analysis::Unknown& unknown, double found) {
 }
 
 /// What the study calls the views of that scene.
-std::string ids_of(const std::vector<View>& views, const View& view) {
+std::string ids_of(const std::vector<MeasuredView>& views, const MeasuredView& view) {
     std::vector<std::string> ids;
-    for (const View& other : views) {
+    for (const MeasuredView& other : views) {
         const bool known = std::find(ids.begin(), ids.end(), other.scene_id) != ids.end();
         if (other.scene == view.scene && !known) ids.push_back(other.scene_id);
     }
@@ -65,12 +65,12 @@ std::string ids_of(const std::vector<View>& views, const View& view) {
 }
 
 /// The root mean square of the RMSE on each training camera.
-double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
-                     const std::vector<std::string>& cameras, const TechniqueChoice& choice,
+double training_rmse(MeasuredScene& stage, const FitEffort& effort, const MeasuredView& view,
+                     const std::vector<std::string>& cameras, const Variant& choice,
                      double radius_m) {
     double sum = 0.0;
     for (const std::string& camera : cameras) {
-        View at = view;
+        MeasuredView at = view;
         at.camera = camera;
         const renderer::ReferenceImage& truth =
             stage.truth(at, radius_m, effort.width, effort.height, effort.rays);
@@ -88,7 +88,7 @@ double training_rmse(Stage& stage, const FitEffort& effort, const View& view,
 
 }  // namespace
 
-bool FittedChoice::is_for(const stimuli::SceneSource& on, const TechniqueChoice& other) const {
+bool FittedChoice::is_for(const stimuli::SceneSource& on, const Variant& other) const {
     if (scene.get() != &on || other.technique != published.technique) return false;
     const auto& parameters = renderer::find_technique(other.technique)->parameters;
     return std::all_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
@@ -109,7 +109,7 @@ FitEffort fit_effort(const MeasureRequest& request) {
     return effort;
 }
 
-std::vector<analysis::Unknown> unknowns_of(const TechniqueChoice& choice) {
+std::vector<analysis::Unknown> unknowns_of(const Variant& choice) {
     std::vector<analysis::Unknown> unknowns;
     for (const Parameter& parameter : renderer::find_technique(choice.technique)->parameters) {
         if (!parameter.fit || parameter.whole) continue;
@@ -126,14 +126,15 @@ std::vector<analysis::Unknown> unknowns_of(const TechniqueChoice& choice) {
     return unknowns;
 }
 
-FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort, const std::vector<View>& views,
-                          const View& view, const TechniqueChoice& published,
+FittedChoice fit_on_scene(MeasuredScene& stage, const FitEffort& effort,
+                          const std::vector<MeasuredView>& views, const MeasuredView& view,
+                          const Variant& published,
                           const std::function<void(const std::string&)>& step) {
     const Cameras cameras = cameras_of(views, view);
     const double radius_m = truth_radius_m(view, published);
     const std::vector<analysis::Unknown> unknowns = unknowns_of(published);
     const auto with = [&](std::span<const double> values) {
-        TechniqueChoice choice = published;
+        Variant choice = published;
         for (std::size_t i = 0; i < values.size(); ++i) {
             choice.parameters[unknowns[i].name] = value_of(unknowns[i], values[i]);
         }

@@ -9,21 +9,20 @@
 
 #include "analysis/fit/minimise.h"
 #include "analysis/measurement/report.h"
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 
 namespace obscura::app {
 
 /// A technique with values that were fitted on one scene.
 struct FittedChoice {
     std::shared_ptr<const stimuli::SceneSource> scene;
-    renderer::TechniqueChoice published;  ///< what it was made of: samples and filter of the fit
-    renderer::TechniqueChoice choice;     ///< the same with fitted values
+    renderer::Variant published;  ///< what it was made of: samples and filter of the fit
+    renderer::Variant choice;     ///< the same with fitted values
 
     /// Whether the values are for that choice on that scene too: the technique, R of the truth and
     /// every parameter that a fit leaves alone are the same. Where a fit starts, samples, filter
     /// and formats may be others.
-    [[nodiscard]] bool is_for(const stimuli::SceneSource& on,
-                              const renderer::TechniqueChoice& other) const;
+    [[nodiscard]] bool is_for(const stimuli::SceneSource& on, const renderer::Variant& other) const;
     analysis::Fitted record;
 };
 
@@ -38,14 +37,15 @@ struct FitEffort {
 
 /// What a fit may vary of a choice: every parameter that its descriptor lets it, a factor of 20
 /// down and up from the published value, within the descriptor's range.
-[[nodiscard]] std::vector<analysis::Unknown> unknowns_of(const renderer::TechniqueChoice& choice);
+[[nodiscard]] std::vector<analysis::Unknown> unknowns_of(const renderer::Variant& choice);
 
 /// Fits `published` on the scene's cameras that are in no view of `views` (on those of the views
 /// where there is no other) to the truth within the published radius: the smallest root mean square
 /// of the cameras' RMSE. `step` is called after each trial of values.
-[[nodiscard]] FittedChoice fit_on_scene(Stage& stage, const FitEffort& effort,
-                                        const std::vector<View>& views, const View& view,
-                                        const renderer::TechniqueChoice& published,
+[[nodiscard]] FittedChoice fit_on_scene(MeasuredScene& stage, const FitEffort& effort,
+                                        const std::vector<MeasuredView>& views,
+                                        const MeasuredView& view,
+                                        const renderer::Variant& published,
                                         const std::function<void(const std::string&)>& step);
 
 }  // namespace obscura::app

@@ -12,17 +12,17 @@
 namespace obscura::app {
 namespace {
 
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
-const View& view_of(const std::vector<View>& views, const std::string& scene_id) {
+const MeasuredView& view_of(const std::vector<MeasuredView>& views, const std::string& scene_id) {
     return *std::find_if(views.begin(), views.end(),
-                         [&](const View& view) { return view.scene_id == scene_id; });
+                         [&](const MeasuredView& view) { return view.scene_id == scene_id; });
 }
 
 /// A side as the fit makes it; itself where there is none.
-TechniqueChoice fitted_side(const TechniqueChoice& shown, const View& view,
-                            const std::vector<FittedChoice>& fitted) {
-    TechniqueChoice changed = shown;
+Variant fitted_side(const Variant& shown, const MeasuredView& view,
+                    const std::vector<FittedChoice>& fitted) {
+    Variant changed = shown;
     for (const FittedChoice& fit : fitted) {
         if (!fit.is_for(*view.scene, shown)) continue;
         for (const auto& [name, value] : fit.record.after) changed.parameters[name] = value;
@@ -32,7 +32,7 @@ TechniqueChoice fitted_side(const TechniqueChoice& shown, const View& view,
 
 /// The parameters of a side that a fit gave another value.
 void add_change(std::vector<stimuli::VariantChange>& changes, const std::string& condition,
-                char side, const TechniqueChoice& before, const TechniqueChoice& after) {
+                char side, const Variant& before, const Variant& after) {
     if (after == before) return;
     stimuli::VariantChange change{condition, side, {}};
     for (const auto& [name, value] : after.parameters) {
@@ -47,15 +47,16 @@ void add_change(std::vector<stimuli::VariantChange>& changes, const std::string&
 }  // namespace
 
 FittedStudy fitted_study(const MeasureRequest& request, const stimuli::Study& study,
-                         const std::vector<View>& views, const std::vector<FittedChoice>& fitted) {
+                         const std::vector<MeasuredView>& views,
+                         const std::vector<FittedChoice>& fitted) {
     FittedStudy made;
     std::vector<stimuli::VariantChange> changes;
     stimuli::Study wanted = study;
     for (stimuli::Condition& condition : wanted.conditions) {
         if (!condition.repeats.empty()) continue;  // it has no sides of its own
-        const View& view = view_of(views, condition.scene);
-        const TechniqueChoice a = fitted_side(condition.a, view, fitted);
-        const TechniqueChoice b = fitted_side(condition.b, view, fitted);
+        const MeasuredView& view = view_of(views, condition.scene);
+        const Variant a = fitted_side(condition.a, view, fitted);
+        const Variant b = fitted_side(condition.b, view, fitted);
         if (a == b && condition.a != condition.b) {
             made.notes.push_back(fmt::format(
                 "condition {}: with fitted values both sides would be the same {}; it is "

@@ -20,7 +20,7 @@ struct FittedStudy {
 /// noted. The text is parsed and checked: throws bad input for what is wrong with it there, failure
 /// where it would not say what was fitted.
 [[nodiscard]] FittedStudy fitted_study(const MeasureRequest& request, const stimuli::Study& study,
-                                       const std::vector<View>& views,
+                                       const std::vector<MeasuredView>& views,
                                        const std::vector<FittedChoice>& fitted);
 
 }  // namespace obscura::app

@@ -12,12 +12,12 @@
 namespace obscura::app {
 namespace {
 
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 /// One point: a setting at a size.
 struct Point {
     double x = 0.0;
-    TechniqueChoice choice;
+    Variant choice;
     int width = 0;
     int height = 0;
 };
@@ -38,7 +38,7 @@ std::vector<int> samples_of(const renderer::Technique& technique) {
 
 std::vector<Point> points_of(const MeasureRequest& request, const renderer::Technique& technique,
                              const std::string& quantity) {
-    TechniqueChoice choice;
+    Variant choice;
     choice.technique = technique.name;
     choice.samples = technique.samples.standard;
     std::vector<Point> points;
@@ -79,8 +79,8 @@ std::size_t growth_steps(const MeasureRequest& request) {
     return steps * static_cast<std::size_t>(kDiscardedRuns + *request.runs);
 }
 
-std::vector<analysis::Growth> measure_growth(Stage& stage, const MeasureRequest& request,
-                                             const View& view, const TimerCheck& timers,
+std::vector<analysis::Growth> measure_growth(MeasuredScene& stage, const MeasureRequest& request,
+                                             const MeasuredView& view, const TimerCheck& timers,
                                              const std::function<void(const std::string&)>& step) {
     std::vector<analysis::Growth> growths;
     std::vector<std::vector<Point>> points;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/measurement/growth.h"
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 #include "app/measure/timing.h"
 
 namespace obscura::app {
@@ -15,8 +15,8 @@ namespace obscura::app {
 /// How the accessibility pass of each technique grows with the image's pixels, at the descriptor's
 /// samples, and with samples, at a fixed size: medians of runs after those that are discarded.
 [[nodiscard]] std::vector<analysis::Growth> measure_growth(
-    Stage& stage, const MeasureRequest& request, const View& view, const TimerCheck& timers,
-    const std::function<void(const std::string&)>& step);
+    MeasuredScene& stage, const MeasureRequest& request, const MeasuredView& view,
+    const TimerCheck& timers, const std::function<void(const std::string&)>& step);
 
 /// How often measure_growth calls `step`.
 [[nodiscard]] std::size_t growth_steps(const MeasureRequest& request);

@@ -20,18 +20,18 @@
 namespace obscura::app {
 namespace {
 
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 /// The study whose assumption of an order of accuracy the report looks at.
 constexpr const char* kThesis = "jakobsen2010";
 
 /// The views in an order that has those of one scene together.
-std::vector<View> by_scene(std::vector<View> views) {
-    std::vector<View> ordered;
-    for (const View& view : views) {
+std::vector<MeasuredView> by_scene(std::vector<MeasuredView> views) {
+    std::vector<MeasuredView> ordered;
+    for (const MeasuredView& view : views) {
         const auto last_of_scene =
             std::find_if(ordered.rbegin(), ordered.rend(),
-                         [&](const View& before) { return before.scene == view.scene; });
+                         [&](const MeasuredView& before) { return before.scene == view.scene; });
         ordered.insert(last_of_scene == ordered.rend() ? ordered.end() : last_of_scene.base(),
                        view);
     }
@@ -44,12 +44,13 @@ bool can_be_fitted(const std::string& technique) {
 }
 
 /// Each technique on each scene, in every way in which the study shows it there.
-std::vector<FittedChoice> fit_all(Stage& stage, const MeasureRequest& request,
-                                  const stimuli::Study& study, const std::vector<View>& views) {
+std::vector<FittedChoice> fit_all(MeasuredScene& stage, const MeasureRequest& request,
+                                  const stimuli::Study& study,
+                                  const std::vector<MeasuredView>& views) {
     const FitEffort effort = fit_effort(request);
     std::vector<FittedChoice> wanted;
-    std::vector<const View*> on;
-    for (const View& view : views) {
+    std::vector<const MeasuredView*> on;
+    for (const MeasuredView& view : views) {
         for (const std::string& name : measured_techniques(request)) {
             if (!can_be_fitted(name)) continue;
             for (const Valued& way : published_choices(view, study, name)) {
@@ -89,7 +90,8 @@ void add_fitted(std::vector<Setting>& settings, Setting setting) {
 /// What is measured on a view: everything before any fit, and with fitted values the settings with
 /// the filter of the fit and those that the study shows.
 std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::Study& study,
-                                  const View& view, const std::vector<FittedChoice>& fitted) {
+                                  const MeasuredView& view,
+                                  const std::vector<FittedChoice>& fitted) {
     std::vector<Setting> settings;
     for (const Valued& valued : settings_of(request, view, study)) {
         settings.push_back({valued.choice, truth_radius_m(view, valued.choice), valued.values,
@@ -146,7 +148,7 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
 /// What the study shows of the truth itself has no row, and that is said.
 void note_truths(const stimuli::Study& study, Measured& measured) {
     for (const stimuli::Condition& condition : study.conditions) {
-        for (const TechniqueChoice* side : {&condition.a, &condition.b}) {
+        for (const Variant* side : {&condition.a, &condition.b}) {
             if (!renderer::find_technique(side->technique)->ray_traced) continue;
             measured.notes.push_back(
                 fmt::format("condition {}: {} is traced as the truth is, and has no row",
@@ -156,12 +158,12 @@ void note_truths(const stimuli::Study& study, Measured& measured) {
 }
 
 /// The setting that the timers are checked with: the most expensive technique's.
-TechniqueChoice heavy_choice(const MeasureRequest& request) {
-    TechniqueChoice choice;
+Variant heavy_choice(const MeasureRequest& request) {
+    Variant choice;
     int most = -1;
     for (const std::string& name : measured_techniques(request)) {
         const renderer::Technique& technique = *renderer::find_technique(name);
-        TechniqueChoice candidate;
+        Variant candidate;
         candidate.technique = name;
         candidate.samples = technique.samples.standard;
         const int fetches = renderer::fetches_per_pixel(candidate);
@@ -201,7 +203,7 @@ void name_map(analysis::ErrorMap& map, const analysis::MeasurementRow& row,
 /// Of a view whose camera was measured in other light before, only what the study shows and, unless
 /// it is to be quick, how each technique is published: light changes neither accessibility nor its
 /// time.
-std::vector<Setting> only_shown(const View& view, const stimuli::Study& study, bool quick,
+std::vector<Setting> only_shown(const MeasuredView& view, const stimuli::Study& study, bool quick,
                                 const std::vector<Setting>& all) {
     std::vector<Setting> kept;
     for (const Setting& setting : all) {
@@ -221,12 +223,12 @@ std::vector<Setting> only_shown(const View& view, const stimuli::Study& study, b
 /// The settings of each view.
 std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
                                                   const stimuli::Study& study,
-                                                  const std::vector<View>& views,
+                                                  const std::vector<MeasuredView>& views,
                                                   const std::vector<FittedChoice>& fitted) {
     std::vector<std::vector<Setting>> settings;
     for (auto view = views.begin(); view != views.end(); ++view) {
         settings.push_back(all_settings(request, study, *view, fitted));
-        const bool seen = std::any_of(views.begin(), view, [&](const View& before) {
+        const bool seen = std::any_of(views.begin(), view, [&](const MeasuredView& before) {
             return before.scene == view->scene && before.camera == view->camera;
         });
         if (seen) settings.back() = only_shown(*view, study, request.quick, settings.back());
@@ -234,8 +236,9 @@ std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
     return settings;
 }
 
-void sweep_all(Stage& stage, const MeasureRequest& request, const stimuli::Study& study,
-               const std::vector<View>& views, Measured& measured, const TimerCheck& timers) {
+void sweep_all(MeasuredScene& stage, const MeasureRequest& request, const stimuli::Study& study,
+               const std::vector<MeasuredView>& views, Measured& measured,
+               const TimerCheck& timers) {
     std::vector<FittedChoice> fitted;
     const bool writes = !request.write_study.empty();
     // Once before the work, for what would be wrong with the text however the fits turn out.
@@ -287,7 +290,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     const MeasureRequest request = with_defaults(asked);
     check_request(request);
     const stimuli::Study study = stimuli::load_study(request.study);
-    const std::vector<View> views = by_scene(views_of(request, study, catalogue));
+    const std::vector<MeasuredView> views = by_scene(views_of(request, study, catalogue));
     const renderer::HeadlessContext context;
     Measured measured;
     measured.report.device = renderer::gpu_description();
@@ -304,7 +307,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
     if (request.scenes.empty()) note_truths(study, measured);
-    Stage stage(request);
+    MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;
     measured.report.method = method_of(request, timers);

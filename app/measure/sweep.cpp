@@ -15,12 +15,13 @@ namespace {
 
 using renderer::Frame;
 using renderer::Target;
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 constexpr float kSameSurface = 0.98F;  // of the depth of what the rays see
 
-analysis::MeasurementRow describe(const View& view, const Setting& setting, int width, int height) {
-    const TechniqueChoice& choice = setting.choice;
+analysis::MeasurementRow describe(const MeasuredView& view, const Setting& setting, int width,
+                                  int height) {
+    const Variant& choice = setting.choice;
     analysis::MeasurementRow row;
     row.scene_id = view.scene_id;
     row.scene = view.scene->id;
@@ -90,7 +91,7 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
 
 /// The buffers of a plan, which any setting with that plan can be run on.
 struct PlanFrame {
-    TechniqueChoice choice;  ///< the first one with this plan
+    Variant choice;  ///< the first one with this plan
     Frame frame;
     std::vector<double> others_ms;  ///< of the passes beside accessibility and filter, run by run
 };
@@ -108,7 +109,7 @@ std::string key_of(const renderer::FramePlan& plan) {
 
 }  // namespace
 
-std::string shown_where(const View& view, const TechniqueChoice& choice) {
+std::string shown_where(const MeasuredView& view, const Variant& choice) {
     std::string where;
     for (const ShownSetting& shown : view.shown) {
         if (shown.choice != choice) continue;
@@ -135,7 +136,7 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
     return mask;
 }
 
-SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
+SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const MeasuredView& view,
                 const std::vector<Setting>& settings, const TimerCheck& timers,
                 const std::function<void(const std::string&)>& step) {
     SweptView swept;

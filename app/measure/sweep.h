@@ -8,21 +8,21 @@
 #include <vector>
 
 #include "analysis/measurement/report.h"
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 #include "app/measure/timing.h"
 
 namespace obscura::app {
 
 /// A setting to measure on a view.
 struct Setting {
-    renderer::TechniqueChoice choice;
+    renderer::Variant choice;
     double truth_radius_m = 0.5;  ///< R of the truth it is held against
     Values values = Values::kPublished;
     std::string shown;  ///< where the study shows it, or what it is a fit of
 };
 
 /// Conditions and sides of the study that show just this setting on the view: `III a, V b`.
-[[nodiscard]] std::string shown_where(const View& view, const renderer::TechniqueChoice& choice);
+[[nodiscard]] std::string shown_where(const MeasuredView& view, const renderer::Variant& choice);
 
 /// What the sweep of a view gives.
 struct SweptView {
@@ -36,8 +36,9 @@ struct SweptView {
 /// the other and then all again (A B A B): kDiscardedRuns in all are thrown away, request.runs are
 /// timed. The other passes of a frame, which settings with the same plan share, are timed as often
 /// for each plan. `step` is called after each image or repetition.
-[[nodiscard]] SweptView sweep(Stage& stage, const MeasureRequest& request, const View& view,
-                              const std::vector<Setting>& settings, const TimerCheck& timers,
+[[nodiscard]] SweptView sweep(MeasuredScene& stage, const MeasureRequest& request,
+                              const MeasuredView& view, const std::vector<Setting>& settings,
+                              const TimerCheck& timers,
                               const std::function<void(const std::string&)>& step);
 
 /// The share of width and height at each side that the interior error leaves out.

@@ -39,7 +39,8 @@ TimerCheck judge_timers(double clock_ms, double query_ms, bool software) {
     return check;
 }
 
-TimerCheck check_timers(Stage& stage, const View& view, const renderer::TechniqueChoice& choice) {
+TimerCheck check_timers(MeasuredScene& stage, const MeasuredView& view,
+                        const renderer::Variant& choice) {
     double clock_ms = 0.0;
     double query_ms = 0.0;
     for (int side = 256; side <= kLargestSide_px; side *= 2) {

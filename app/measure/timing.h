@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/measurement/row.h"
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 
 namespace obscura::app {
 
@@ -29,8 +29,8 @@ inline constexpr double kTimerTolerance = 0.1;
 
 /// Enlarges the image until the technique's pass takes more than 20 ms by the clock, or as far as
 /// 4096 pixels, and compares.
-[[nodiscard]] TimerCheck check_timers(Stage& stage, const View& view,
-                                      const renderer::TechniqueChoice& choice);
+[[nodiscard]] TimerCheck check_timers(MeasuredScene& stage, const MeasuredView& view,
+                                      const renderer::Variant& choice);
 
 /// The times of several runs of one setting.
 class RunTimes {

@@ -77,7 +77,7 @@ void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass,
         bind(program, sampler.c_str(), texture, unit++);
     };
     for (const Read& read : pass.reads) bind_read(read.as, job.frame.texture(read.name));
-    for (const Table& table : pass.tables) bind_read(table.name, texture_of(table).name());
+    for (const NumberTable& table : pass.tables) bind_read(table.name, texture_of(table).name());
 }
 
 gl::Program& Renderer::step_program(const Step& step) {

@@ -35,8 +35,8 @@ struct PlannedPass {
     std::vector<std::string> writes;  ///< the same
     /// Nothing: a pass of the house. Its reads and writes are the recipe's words.
     std::optional<Step> step = {};
-    std::vector<Table> tables = {};  ///< that the step reads
-    int frame = 0;                   ///< of the recipe's
+    std::vector<NumberTable> tables = {};  ///< that the step reads
+    int frame = 0;                         ///< of the recipe's
 };
 
 /// Something a frame could have had and why this one has not.

@@ -216,7 +216,7 @@ void Planner::plan_step(const Recipe& recipe, const Step& step, Phase phase, int
     }
     PlannedPass planned{phase, step.name, {}, {}, step, {}, frame};
     for (const Read& read : step.reads) {
-        if (const Table* table = recipe.find_table(read.name)) {
+        if (const NumberTable* table = recipe.find_table(read.name)) {
             planned.tables.push_back(*table);
             planned.tables.back().name = read.as;
         } else {

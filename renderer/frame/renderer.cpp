@@ -56,7 +56,7 @@ gl::Program& Renderer::program(const std::string& vertex, const std::string& fra
     return *entry;
 }
 
-const gl::Texture& Renderer::texture_of(const Table& table) {
+const gl::Texture& Renderer::texture_of(const NumberTable& table) {
     std::string key(reinterpret_cast<const char*>(table.texels.data()),
                     table.texels.size() * sizeof(glm::vec3));
     key += std::to_string(table.width);

@@ -65,7 +65,7 @@ class Renderer {
         IrradianceSh irradiance{};
     };
     const EnvironmentData& environment(const std::shared_ptr<const Environment>& source);
-    const gl::Texture& texture_of(const Table& table);
+    const gl::Texture& texture_of(const NumberTable& table);
 
     void run_geometry(Job& job);
     void run_shadow(Job& job);

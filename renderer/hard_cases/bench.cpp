@@ -67,8 +67,8 @@ void Bench::run(const HardCase& hard_case, const Technique* technique) {
     write_agreements();
 }
 
-TechniqueChoice Bench::settings(const Technique& technique, double radius) {
-    TechniqueChoice choice;
+Variant Bench::settings(const Technique& technique, double radius) {
+    Variant choice;
     choice.technique = technique.name;
     choice.samples = technique.ray_traced ? kRays : technique.samples.standard;
     const std::pair<const char*, double> lengths[] = {{"radius_m", radius},
@@ -84,15 +84,15 @@ TechniqueChoice Bench::settings(const Technique& technique, double radius) {
     return choice;
 }
 
-Frame Bench::render(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
-                    int width, int height) {
+Frame Bench::render(const Scene& scene, const Camera& camera, const Variant& choice, int width,
+                    int height) {
     const Lighting lighting;
     const GpuScene gpu(scene);
     return renderer_.render({gpu, lighting, camera}, choice, width, height);
 }
 
-double Bench::time_ms(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
-                      int width, int height) {
+double Bench::time_ms(const Scene& scene, const Camera& camera, const Variant& choice, int width,
+                      int height) {
     double spent_ms = 0.0;
     for (const PassTime& time : render(scene, camera, choice, width, height).times) {
         if (time.phase != Phase::kTechnique) continue;
@@ -102,7 +102,7 @@ double Bench::time_ms(const Scene& scene, const Camera& camera, const TechniqueC
 }
 
 Shot Bench::shoot(const std::string& what, const Scene& scene, const Camera& camera,
-                  const TechniqueChoice& choice, int width, int height) {
+                  const Variant& choice, int width, int height) {
     if (find_technique(choice.technique)->ray_traced) {
         return trace(scene, camera, choice, width, height);
     }
@@ -117,8 +117,8 @@ Shot Bench::shoot(const std::string& what, const Scene& scene, const Camera& cam
     return shot;
 }
 
-Shot Bench::trace(const Scene& scene, const Camera& camera, const TechniqueChoice& choice,
-                  int width, int height) {
+Shot Bench::trace(const Scene& scene, const Camera& camera, const Variant& choice, int width,
+                  int height) {
     const ReferenceScene rays(scene);
     const ReferenceImage image = rays.trace(camera, width, height, reference_options(choice));
     return {.width = width,
@@ -129,7 +129,7 @@ Shot Bench::trace(const Scene& scene, const Camera& camera, const TechniqueChoic
 }
 
 void Bench::hold_against_definition(const std::string& what, const SeenBuffers& buffers,
-                                    const TechniqueChoice& choice, Shot& shot) {
+                                    const Variant& choice, Shot& shot) {
     const Technique& technique = *find_technique(choice.technique);
     if (!technique.model) return;
     const auto admitted = admitted_by(technique.model(buffers, choice), buffers);

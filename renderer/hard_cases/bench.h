@@ -87,7 +87,7 @@ class Bench {
 
     /// `technique` with lengths that fit R: radius R, a full threshold of R/25, no occluders beyond
     /// R, and a curve that knows no other unit of length.
-    [[nodiscard]] static TechniqueChoice settings(const Technique& technique, double radius);
+    [[nodiscard]] static Variant settings(const Technique& technique, double radius);
 
     /// From here to the end of the case, images may be uncertain: single precision cannot tell
     /// offsets from none, so all that is asked of a pixel is one of the values that it admits.
@@ -96,11 +96,11 @@ class Bench {
     /// One image, which `what` names, also evaluated by the models of technique and filter. Ray
     /// traced ones take 64 rays within the choice's radius.
     [[nodiscard]] Shot shoot(const std::string& what, const Scene& scene, const Camera& camera,
-                             const TechniqueChoice& choice, int width, int height);
+                             const Variant& choice, int width, int height);
 
     /// What the technique's pass takes for that image.
-    [[nodiscard]] double time_ms(const Scene& scene, const Camera& camera,
-                                 const TechniqueChoice& choice, int width, int height);
+    [[nodiscard]] double time_ms(const Scene& scene, const Camera& camera, const Variant& choice,
+                                 int width, int height);
 
     /// A row that holds where |measured - truth| <= tolerance; NaN never does. Where it does not,
     /// the images are as defined and `nature` gives a reason, the row fails by nature.
@@ -121,13 +121,13 @@ class Bench {
     void expect_sound(const std::string& quantity, const Shot& shot, const std::string& note = "");
 
   private:
-    [[nodiscard]] Frame render(const Scene& scene, const Camera& camera,
-                               const TechniqueChoice& choice, int width, int height);
-    [[nodiscard]] Shot trace(const Scene& scene, const Camera& camera,
-                             const TechniqueChoice& choice, int width, int height);
+    [[nodiscard]] Frame render(const Scene& scene, const Camera& camera, const Variant& choice,
+                               int width, int height);
+    [[nodiscard]] Shot trace(const Scene& scene, const Camera& camera, const Variant& choice,
+                             int width, int height);
     /// Evaluates the models on the shot's buffers.
     void hold_against_definition(const std::string& what, const SeenBuffers& buffers,
-                                 const TechniqueChoice& choice, Shot& shot);
+                                 const Variant& choice, Shot& shot);
     void write_agreements();
     [[nodiscard]] HardCaseResult row(const std::string& quantity) const;
 

@@ -36,7 +36,7 @@ void run_border(Bench& bench, const Technique& technique) {
     const Camera camera = shapes::camera(5.0F);
     Camera wide = camera;
     wide.vertical_fov_rad = 2.0F * std::atan(1.5F * std::tan(0.5F * camera.vertical_fov_rad));
-    const TechniqueChoice choice = Bench::settings(technique, 0.3);
+    const Variant choice = Bench::settings(technique, 0.3);
     const Shot shot = bench.shoot("the image", scene, camera, choice, size, size);
     const Shot larger =
         bench.shoot("the larger one", scene, wide, choice, size * 3 / 2, size * 3 / 2);

@@ -61,7 +61,7 @@ Growth growth_between(const Place& farther, const Place& nearer) {
 /// Times of all places in turn, again and again, so that what else the machine does meets each of
 /// them. There is a cliff only where every repetition has it, and none where three quarters have
 /// none; else it is not decided.
-void compare_times(Bench& bench, const TechniqueChoice& choice, std::vector<Place>& list) {
+void compare_times(Bench& bench, const Variant& choice, std::vector<Place>& list) {
     const int size = bench.options().size_px;
     for (int run = -1; run < kRepetitions; ++run) {
         for (Place& place : list) {
@@ -89,7 +89,7 @@ void compare_times(Bench& bench, const TechniqueChoice& choice, std::vector<Plac
 /// no more look-ups than the descriptor says, and no cliff in them.
 void run_close_up(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
-    const TechniqueChoice choice = Bench::settings(technique, 1.0);
+    const Variant choice = Bench::settings(technique, 1.0);
     std::vector<Place> list = places();
     int most_reads = 0;
     int before = 0;

@@ -75,7 +75,7 @@ void run_noise_and_blur(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
     for (const Denoise& filter : denoise_filters()) {
         if (filter.recipe.steps.empty()) continue;
-        TechniqueChoice choice = Bench::settings(technique, 0.4);
+        Variant choice = Bench::settings(technique, 0.4);
         choice.denoise = filter.name;
         const Shot corner = bench.shoot("a straight corner", straight_corner(),
                                         shapes::camera(5.0F), choice, size, size);

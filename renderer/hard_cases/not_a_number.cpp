@@ -28,7 +28,7 @@ Scene scene_with(Normals normals) {
 }
 
 /// Makes what says how far samples reach `share` as long, and says so.
-std::string scale_reach(const Technique& technique, double share, TechniqueChoice& choice) {
+std::string scale_reach(const Technique& technique, double share, Variant& choice) {
     const Parameter* reach = technique.find_parameter(technique.reach);
     if (reach == nullptr) return "no samples";
     const double value = share * choice.value_of(*reach);
@@ -46,7 +46,7 @@ void run_not_a_number(Bench& bench, const Technique& technique) {
     for (const auto& [normals, what] : kinds) {
         for (const double share : {0.0, 1e-8, 1.0}) {
             bench.allow_uncertain(share < 1.0);
-            TechniqueChoice choice = Bench::settings(technique, kRadius_m);
+            Variant choice = Bench::settings(technique, kRadius_m);
             choice.unclamped = true;
             const std::string quantity =
                 fmt::format("{}, {}", what, scale_reach(technique, share, choice));

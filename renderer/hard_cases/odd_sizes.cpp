@@ -15,7 +15,7 @@ void run_odd_sizes(Bench& bench, const Technique& technique) {
     const bool large = bench.options().size_px >= 128 && !technique.ray_traced;
     for (const auto& [width, height] : {std::pair(1, 1), {17, 9}, {3, 200}, {1921, 1081}}) {
         if (width > 1000 && !large) continue;
-        TechniqueChoice choice = Bench::settings(technique, 0.3);
+        Variant choice = Bench::settings(technique, 0.3);
         if (!technique.ray_traced) choice.denoise = "separable";
         const std::string size = fmt::format("{}x{}", width, height);
         const Shot shot =

@@ -15,7 +15,7 @@ constexpr double kTolerance = 0.005;
 void measure_plane(Bench& bench, const Technique& technique, float distance_m, float tilt_deg,
                    double radius_m, const std::string& depth_format) {
     const int size = bench.options().size_px / 2;
-    TechniqueChoice choice = Bench::settings(technique, radius_m);
+    Variant choice = Bench::settings(technique, radius_m);
     choice.depth_format = depth_format;
     const std::string what = fmt::format("a plane at {:g} m, tilt {:g} deg, R {:g} m, depth {}",
                                          distance_m, tilt_deg, radius_m, depth_format);

@@ -50,7 +50,7 @@ double mean_halfway(const Shot& shot, const Camera& camera) {
 void run_projections(Bench& bench, const Technique& technique) {
     const int size = bench.options().size_px;
     constexpr double kCornerRadius_m = 1.0;
-    const TechniqueChoice choice = Bench::settings(technique, kCornerRadius_m);
+    const Variant choice = Bench::settings(technique, kCornerRadius_m);
     for (const float shift : {0.0F, 0.6F}) {
         for (const float fov_deg : {10.0F, 60.0F, 120.0F}) {
             Camera camera = shapes::camera(kDistance);

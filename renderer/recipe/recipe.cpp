@@ -24,7 +24,7 @@ bool Recipe::reads(std::string_view name) const {
 }
 
 const Buffer* Recipe::find_buffer(std::string_view name) const { return find(buffers, name); }
-const Table* Recipe::find_table(std::string_view name) const { return find(tables, name); }
+const NumberTable* Recipe::find_table(std::string_view name) const { return find(tables, name); }
 
 int fetches_per_pixel(const Recipe& recipe) {
     double sum = 0.0;

@@ -25,7 +25,7 @@ struct Read {
 
 /// Numbers made once for a recipe (a kernel, a tile of rotations): an unfiltered texture of
 /// width x height vectors, row by row.
-struct Table {
+struct NumberTable {
     std::string name;
     int width = 1;
     int height = 1;
@@ -65,14 +65,14 @@ struct Step {
 /// What a technique or a denoise filter computes in a frame.
 struct Recipe {
     std::vector<Buffer> buffers;  ///< its own; sizes are relative to what it makes
-    std::vector<Table> tables;
+    std::vector<NumberTable> tables;
     std::vector<Step> steps;
     int frames = 1;  ///< how often the steps are run, with `u_frame` counting from 0
 
     /// Whether some step reads it.
     [[nodiscard]] bool reads(std::string_view name) const;
     [[nodiscard]] const Buffer* find_buffer(std::string_view name) const;
-    [[nodiscard]] const Table* find_table(std::string_view name) const;
+    [[nodiscard]] const NumberTable* find_table(std::string_view name) const;
 };
 
 /// The most texture reads that all steps make, over the pixels of the image; rounded up.

@@ -87,7 +87,7 @@ class ReferenceScene {
 };
 
 /// What the technique `reference` asks for: its samples are rays. The choice must have no problems.
-[[nodiscard]] ReferenceOptions reference_options(const TechniqueChoice& choice);
+[[nodiscard]] ReferenceOptions reference_options(const Variant& choice);
 
 /// Throws bad input naming the option, its value and what is allowed.
 void check_options(const ReferenceOptions& options);

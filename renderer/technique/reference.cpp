@@ -27,7 +27,7 @@ Technique reference_technique() {
     return technique;
 }
 
-ReferenceOptions reference_options(const TechniqueChoice& choice) {
+ReferenceOptions reference_options(const Variant& choice) {
     const Technique& technique = *find_technique("reference");
     const auto value = [&](const char* name) {
         return choice.value_of(*technique.find_parameter(name));

@@ -38,9 +38,9 @@ std::vector<glm::vec3> ball_kernel(int count) {
     return kernel;
 }
 
-Table rotation_table() { return {"rotations", kTileSize, kTileSize, rotation_tile()}; }
+NumberTable rotation_table() { return {"rotations", kTileSize, kTileSize, rotation_tile()}; }
 
-Table ball_table(int count) { return {"kernel", count, 1, ball_kernel(count)}; }
+NumberTable ball_table(int count) { return {"kernel", count, 1, ball_kernel(count)}; }
 
 Step accessibility_step(const Variant& variant, const std::string& shader,
                         const std::vector<Read>& reads, int fetches) {

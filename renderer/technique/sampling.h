@@ -20,8 +20,8 @@ namespace obscura::renderer {
 [[nodiscard]] std::vector<glm::vec3> ball_kernel(int count);
 
 /// The same as tables of a recipe: `rotations` of kTileSize x kTileSize, `kernel` of count x 1.
-[[nodiscard]] Table rotation_table();
-[[nodiscard]] Table ball_table(int count);
+[[nodiscard]] NumberTable rotation_table();
+[[nodiscard]] NumberTable ball_table(int count);
 
 /// A step that writes accessibility by a shader that ends in passes/accessibility.glsl, with the
 /// number of samples as the define SAMPLES.

@@ -37,8 +37,6 @@ struct Variant {
     [[nodiscard]] bool operator==(const Variant& other) const;
 };
 
-using TechniqueChoice = Variant;  // the name that some callers still use
-
 /// A setting that variants of every technique have: a word out of a list. Study files, manifests,
 /// the command line (--set), messages, equality and help read this table.
 struct VariantOption {

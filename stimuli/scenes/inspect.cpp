@@ -155,8 +155,8 @@ std::string light_text(const renderer::Lighting& light) {
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::string level_text(const OpenedScene& scene, Validity level,
-                       const renderer::TechniqueChoice& choice, int width, int height) {
+std::string level_text(const OpenedScene& scene, Validity level, const renderer::Variant& choice,
+                       int width, int height) {
     const renderer::Lighting light = scene.lighting(level);
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(*scene.scene, light), choice, width, height);
@@ -188,8 +188,8 @@ std::string summary_of(const OpenedScene& scene) {
         fmt::join(names_of_levels(scene), ", "), fmt::join(asked_of_renderer(*scene.scene), ", "));
 }
 
-std::string inspection_of(const OpenedScene& scene, const renderer::TechniqueChoice& choice,
-                          int width, int height) {
+std::string inspection_of(const OpenedScene& scene, const renderer::Variant& choice, int width,
+                          int height) {
     const Scene& content = *scene.scene;
     const renderer::Bounds bounds = renderer::bounds_of(content);
     std::string text = fmt::format("{}: {}\n", scene.id, scene.title);

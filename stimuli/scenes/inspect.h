@@ -17,8 +17,7 @@ namespace obscura::stimuli {
 /// shown or otherwise, and for each level the passes and buffers of an image of width x height
 /// with that technique, and what is left out, why. Throws bad input for a choice or a size that is
 /// not allowed.
-[[nodiscard]] std::string inspection_of(const OpenedScene& scene,
-                                        const renderer::TechniqueChoice& choice, int width,
-                                        int height);
+[[nodiscard]] std::string inspection_of(const OpenedScene& scene, const renderer::Variant& choice,
+                                        int width, int height);
 
 }  // namespace obscura::stimuli

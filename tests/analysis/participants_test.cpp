@@ -173,7 +173,7 @@ TEST(Resampling, OfTheSameAnswersGivesTheSameIntervals) {
         analyse(tally_of(parse_trials(text, "t.csv"), "", Kind::kParticipant), 7);
     EXPECT_EQ(other.resampling.seed, 7U);
     // Everyone's two votes are alike: 16 of 20 participants, not 32 of 40 votes.
-    const Bounds& bounds = *one.hypotheses[0].resampled;
+    const Interval& bounds = *one.hypotheses[0].resampled;
     EXPECT_NEAR(bounds.low, .6, .051);
     EXPECT_NEAR(bounds.high, .95, .051);
 }

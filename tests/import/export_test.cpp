@@ -157,7 +157,7 @@ TEST(Export, ASceneThatCannotBeDrawnIsRefused) {
 
 std::vector<std::uint8_t> image_of(Renderer& renderer, const Scene& scene, const Camera& camera,
                                    const Lighting& lighting) {
-    const TechniqueChoice choice{"blizzard", 24, {}, "separable"};
+    const Variant choice{"blizzard", 24, {}, "separable"};
     const GpuScene gpu(scene);
     return renderer.render({gpu, lighting, camera}, choice, 160, 90).read_display();
 }

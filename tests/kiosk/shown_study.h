@@ -78,7 +78,7 @@ class ShownStudy {
                 image.sha256 = base::sha256_hex(bytes);
                 image.condition = condition.id;
                 image.side = side;
-                const renderer::TechniqueChoice& choice =
+                const renderer::Variant& choice =
                     side == std::string("a") ? condition.a : condition.b;
                 image.scene = condition.scene;
                 image.source = "relic";

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/measure/measure.h"
-#include "app/measure/view.h"
+#include "app/measure/measured_view.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "stimuli/study_writer.h"
@@ -166,7 +166,7 @@ TEST_F(MeasuredStudy, RendersWhatTheStudyAsksOfItsImages) {
     stimuli::Study loaded = stimuli::load_study(file);
     loaded.occluding_opacity = 0.9F;
     loaded.supersampling = 2;
-    const std::vector<View> views =
+    const std::vector<MeasuredView> views =
         views_of(with_defaults(request_of(file)), loaded, stimuli::builtin_scenes());
     ASSERT_EQ(views.size(), 1U);
     EXPECT_EQ(views[0].options.occluding_opacity, 0.9F);

@@ -172,7 +172,7 @@ TEST(Timers, TheClockIsUsedWhereTheQueriesDisagreeOrTheRendererIsSoftware) {
 }
 
 TEST(Fits, VaryWhatTheDescriptorLetsThemAndNeverSamples) {
-    renderer::TechniqueChoice choice;
+    renderer::Variant choice;
     choice.technique = "blizzard";
     choice.samples = 24;
     choice.parameters["radius_m"] = 100.0;

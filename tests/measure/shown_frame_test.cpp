@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 #include "renderer/gl/context.h"
 #include "stimuli/stimulus.h"
 #include "tests/test_scenes.h"
@@ -65,8 +65,8 @@ class ShownFrame : public testing::Test {
 };
 
 TEST_F(ShownFrame, IsTheMeasuredFrameToTheByte) {
-    Stage stage(request_);
-    const View view = views_of(request_, study_, catalogue_).at(0);
+    MeasuredScene stage(request_);
+    const MeasuredView view = views_of(request_, study_, catalogue_).at(0);
     stimuli::StimulusRenderer renderer(study_, catalogue_);
     for (const stimuli::Stimulus& stimulus : stimuli::stimuli_of(study_)) {
         const renderer::Frame shown = renderer.render(stimulus);
@@ -81,10 +81,10 @@ TEST_F(ShownFrame, IsTheMeasuredFrameToTheByte) {
 }
 
 TEST_F(ShownFrame, IsAnotherOneWithoutWhatTheStudyAsksFor) {
-    Stage stage(request_);
-    View view = views_of(request_, study_, catalogue_).at(0);
-    const renderer::TechniqueChoice& half = study_.conditions.back().b;
-    renderer::TechniqueChoice full = half;
+    MeasuredScene stage(request_);
+    MeasuredView view = views_of(request_, study_, catalogue_).at(0);
+    const renderer::Variant& half = study_.conditions.back().b;
+    renderer::Variant full = half;
     full.depth_format = "r32f";
     const auto open = stage.render(view, half, kWidth, kHeight).read_accessibility();
     EXPECT_NE(open, stage.render(view, full, kWidth, kHeight).read_accessibility());
@@ -93,8 +93,8 @@ TEST_F(ShownFrame, IsAnotherOneWithoutWhatTheStudyAsksFor) {
 }
 
 TEST_F(ShownFrame, ItsAccessibilityIsFittedAsItIsShown) {
-    Stage stage(request_);
-    const View view = views_of(request_, study_, catalogue_).at(0);
+    MeasuredScene stage(request_);
+    const MeasuredView view = views_of(request_, study_, catalogue_).at(0);
     for (const stimuli::Condition& condition : study_.conditions) {
         EXPECT_EQ(stage.render(view, condition.b, kWidth, kHeight).read_accessibility(),
                   stage.render_plainly(view, condition.b, kWidth, kHeight).read_accessibility());

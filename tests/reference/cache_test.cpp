@@ -32,7 +32,7 @@ class ReferenceCache : public testing::Test {
     }
 
     tests::TemporaryFolder folder_;
-    tests::View view_ = tests::corner_view();
+    tests::CornerView view_ = tests::corner_view();
     ReferenceScene scene_{view_.scene};
     ReferenceOptions options_ = tests::rays_within(1.0, 16);
     bool traced_ = false;

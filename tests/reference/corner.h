@@ -11,11 +11,11 @@
 namespace obscura::tests {
 
 /// A scene of a floor and what stands on it, seen from above and to the right.
-struct View {
+struct CornerView {
     renderer::Scene scene = renderer::analytic_scene();
     renderer::Camera camera;
 
-    View() {
+    CornerView() {
         camera.name = "test";
         camera.position_m = {2.0F, 1.5F, 0.0F};
         camera.target_m = {0.5F, 0.0F, 0.0F};
@@ -24,15 +24,15 @@ struct View {
 };
 
 /// A floor and a wall, the corner along x = 0.
-inline View corner_view() {
-    View view;
+inline CornerView corner_view() {
+    CornerView view;
     renderer::add_floor(view.scene, 0.0, 8.0);
     renderer::add_leaning_wall(view.scene, 1.5707963267948966, 8.0);
     return view;
 }
 
 /// The view, its lengths multiplied by `scale` and then moved.
-inline View transformed(View view, float scale, const glm::vec3& move) {
+inline CornerView transformed(CornerView view, float scale, const glm::vec3& move) {
     for (renderer::Mesh& mesh : view.scene.meshes) {
         for (renderer::Vertex& vertex : mesh.vertices) {
             vertex.position_m = vertex.position_m * scale + move;

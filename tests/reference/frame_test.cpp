@@ -16,8 +16,8 @@
 namespace obscura::renderer {
 namespace {
 
-TechniqueChoice reference_choice(const std::string& denoise = "none") {
-    TechniqueChoice choice;
+Variant reference_choice(const std::string& denoise = "none") {
+    Variant choice;
     choice.technique = "reference";
     choice.samples = 32;
     choice.denoise = denoise;
@@ -26,12 +26,12 @@ TechniqueChoice reference_choice(const std::string& denoise = "none") {
 
 class ReferenceFrame : public testing::Test {
   protected:
-    Frame render(const Scene& scene, const Camera& camera, const TechniqueChoice& choice, int width,
+    Frame render(const Scene& scene, const Camera& camera, const Variant& choice, int width,
                  int height) {
         const Lighting lighting;
         const GpuScene gpu(scene);
         const ReferenceScene reference(scene);
-        const auto traced = [&](const Camera& view, int w, int h, const TechniqueChoice& wanted) {
+        const auto traced = [&](const Camera& view, int w, int h, const Variant& wanted) {
             return reference.trace(view, w, h, reference_options(wanted)).accessibility;
         };
         return renderer_.render({gpu, lighting, camera, {}, traced}, choice, width, height);
@@ -62,7 +62,7 @@ TEST_F(ReferenceFrame, SeesTheSameSurfaceAsTheRasteriserInEveryPixelButSilhouett
     constexpr int kHeight = 180;
     const Scene scene = stimuli::find_builtin_scene("atrium")->build();
     const Camera& camera = scene.cameras.front();
-    TechniqueChoice deep;
+    Variant deep;
     deep.technique = "crytek";
     deep.samples = 8;
     const std::vector<float> raster =
@@ -94,7 +94,7 @@ TEST_F(ReferenceFrame, HoldsTheTracedValuesAndOpenEmptyPixels) {
     tests::add_quad(scene, {-1.5F, -1.0F, -6.0F}, {3.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 3.0F});
     for (Material& material : scene.materials) material.double_sided = true;
     const Camera camera = tests::forward_camera();
-    const TechniqueChoice choice = reference_choice();
+    const Variant choice = reference_choice();
     const Frame frame = render(scene, camera, choice, 80, 45);
     const std::vector<float> shown = frame.read_floats(Target::kAccessibility);
     const ReferenceImage truth =
@@ -122,13 +122,13 @@ TEST_F(ReferenceFrame, WithoutARayTracerIsAFailureAndNotABlankImage) {
     const Scene scene = tests::facing_wall(3.0F);
     const GpuScene gpu(scene);
     const Lighting lighting;
-    const TechniqueChoice choice = reference_choice();
+    const Variant choice = reference_choice();
     EXPECT_THROW((void)renderer_.render({gpu, lighting, tests::forward_camera()}, choice, 8, 8),
                  base::Error);
 }
 
 TEST(ReferenceTechnique, TakesWholeNumbersOnlyWhereANumberCounts) {
-    TechniqueChoice choice = reference_choice();
+    Variant choice = reference_choice();
     choice.parameters = {{"falloff", 1.5}};
     EXPECT_EQ(problems_of(choice).size(), 1U);
     choice.parameters = {

@@ -16,17 +16,17 @@ namespace obscura::renderer {
 namespace {
 
 using tests::corner_view;
+using tests::CornerView;
 using tests::rays_within;
 using tests::transformed;
-using tests::View;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 /// A plane through the middle of the view, turned by that angle, of many small and a few large
 /// triangles, `distance_m` ahead of a camera at the origin.
-View tilted_plane(double tilt_deg, double distance_m, int cells) {
-    View view;
+CornerView tilted_plane(double tilt_deg, double distance_m, int cells) {
+    CornerView view;
     view.camera.position_m = glm::vec3(0.0F);
     view.camera.target_m = {0.0F, 0.0F, -1.0F};
     view.camera.near_m = static_cast<float>(1e-3 * distance_m);
@@ -50,7 +50,7 @@ TEST(ReferenceOnHardGeometry, APlaneIsExactlyOpenAtEveryDistanceTiltAndPlace) {
     for (const double distance_m : {1e-3, 1.0, 5000.0}) {
         for (const double tilt_deg : {0.0, 45.0, 80.0, 89.0}) {
             for (const int cells : {1, 7}) {
-                const View view = tilted_plane(tilt_deg, distance_m, cells);
+                const CornerView view = tilted_plane(tilt_deg, distance_m, cells);
                 const ReferenceImage image =
                     ReferenceScene(view.scene)
                         .trace(view.camera, 16, 16, rays_within(distance_m, 256));
@@ -64,11 +64,11 @@ TEST(ReferenceOnHardGeometry, APlaneIsExactlyOpenAtEveryDistanceTiltAndPlace) {
 }
 
 TEST(ReferenceOnHardGeometry, APlaneFarFromTheOriginIsOpen) {
-    View view = corner_view();
+    CornerView view = corner_view();
     view.scene.meshes.pop_back();
     for (const glm::vec3& move :
          {glm::vec3(131072.0F, 0.0F, 0.0F), glm::vec3(-131072.0F, 131072.0F, 131072.0F)}) {
-        const View far = transformed(view, 1.0F, move);
+        const CornerView far = transformed(view, 1.0F, move);
         const ReferenceImage image =
             ReferenceScene(far.scene).trace(far.camera, 24, 24, rays_within(1.0, 256));
         EXPECT_THAT(image.accessibility, testing::Each(testing::Eq(1.0F)));
@@ -76,9 +76,9 @@ TEST(ReferenceOnHardGeometry, APlaneFarFromTheOriginIsOpen) {
 }
 
 TEST(ReferenceOnHardGeometry, ACornerIsTheSameFarFromTheOrigin) {
-    const View near = corner_view();
+    const CornerView near = corner_view();
     // A power of two, so that the moved corners are exact in floats.
-    const View far = transformed(near, 1.0F, {131072.0F, -131072.0F, 131072.0F});
+    const CornerView far = transformed(near, 1.0F, {131072.0F, -131072.0F, 131072.0F});
     const ReferenceOptions options = rays_within(1.0, 256);
     const ReferenceImage one = ReferenceScene(near.scene).trace(near.camera, 32, 32, options);
     const ReferenceImage two = ReferenceScene(far.scene).trace(far.camera, 32, 32, options);
@@ -87,11 +87,11 @@ TEST(ReferenceOnHardGeometry, ACornerIsTheSameFarFromTheOrigin) {
 }
 
 TEST(ReferenceOnHardGeometry, ACornerIsTheSameInMillimetresAndKilometres) {
-    const View metres = corner_view();
+    const CornerView metres = corner_view();
     const ReferenceImage one =
         ReferenceScene(metres.scene).trace(metres.camera, 32, 32, rays_within(1.0, 256));
     for (const float scale : {1e-3F, 1e3F}) {
-        const View other = transformed(metres, scale, glm::vec3(0.0F));
+        const CornerView other = transformed(metres, scale, glm::vec3(0.0F));
         const ReferenceImage two =
             ReferenceScene(other.scene).trace(other.camera, 32, 32, rays_within(scale, 256));
         EXPECT_LT(tests::greatest_difference(one, two), 0.02) << scale;
@@ -101,7 +101,7 @@ TEST(ReferenceOnHardGeometry, ACornerIsTheSameInMillimetresAndKilometres) {
 }
 
 TEST(ReferenceOnHardGeometry, AContactOfATenThousandthOfTheRadiusIsNotMissed) {
-    View view = corner_view();
+    CornerView view = corner_view();
     view.camera.position_m = {0.3F, 0.2F, 0.0F};
     view.camera.target_m = {1e-4F, 0.0F, 0.0F};
     view.camera.vertical_fov_rad = 1.1e-3F;
@@ -113,7 +113,7 @@ TEST(ReferenceOnHardGeometry, AContactOfATenThousandthOfTheRadiusIsNotMissed) {
 }
 
 TEST(ReferenceOnHardGeometry, TrianglesWithoutAreaOrWithNaNAreLeftOutAndCounted) {
-    View view = corner_view();
+    CornerView view = corner_view();
     const ReferenceOptions options = rays_within(1.0, 64);
     const ReferenceImage clean = ReferenceScene(view.scene).trace(view.camera, 24, 24, options);
     for (const glm::vec3& bad :
@@ -132,7 +132,7 @@ TEST(ReferenceOnHardGeometry, TrianglesWithoutAreaOrWithNaNAreLeftOutAndCounted)
 }
 
 TEST(ReferenceOnHardGeometry, NormalsThatAreNoneLeaveTheTrianglesOwn) {
-    View view = corner_view();
+    CornerView view = corner_view();
     ReferenceOptions options = rays_within(1.0, 64);
     const ReferenceImage geometric = ReferenceScene(view.scene).trace(view.camera, 24, 24, options);
     options.normal = NormalKind::kShading;
@@ -146,7 +146,7 @@ TEST(ReferenceOnHardGeometry, NormalsThatAreNoneLeaveTheTrianglesOwn) {
 }
 
 TEST(ReferenceOnHardGeometry, CoincidentFacesDoNotOccludeEachOther) {
-    View view;
+    CornerView view;
     add_floor(view.scene, 0.0, 8.0);
     add_floor(view.scene, 0.0, 8.0);
     const ReferenceImage image =
@@ -155,7 +155,7 @@ TEST(ReferenceOnHardGeometry, CoincidentFacesDoNotOccludeEachOther) {
 }
 
 TEST(ReferenceOnHardGeometry, ACameraInsideGeometryGivesAFiniteImage) {
-    View view;
+    CornerView view;
     add_ball(view.scene, glm::dvec3(view.camera.position_m), 1.0, 16);
     const ReferenceImage image =
         ReferenceScene(view.scene).trace(view.camera, 24, 24, rays_within(10.0, 64));
@@ -176,7 +176,7 @@ TEST(ReferenceOnHardGeometry, ASceneWithNothingToMeetIsBadInput) {
         }
         return base::ExitCode::kDone;
     };
-    View view;
+    CornerView view;
     EXPECT_EQ(code_of(view.scene), base::ExitCode::kBadInput);
     EXPECT_EQ(code_of(Scene{}), base::ExitCode::kBadInput);
     add_floor(view.scene, 0.0, 1.0);
@@ -186,7 +186,7 @@ TEST(ReferenceOnHardGeometry, ASceneWithNothingToMeetIsBadInput) {
 }
 
 TEST(ReferenceOnHardGeometry, NumbersThatPointNowhereAreBadInput) {
-    View view = corner_view();
+    CornerView view = corner_view();
     Scene index = view.scene;
     index.meshes[0].indices[0] = 1000;
     EXPECT_THROW(ReferenceScene{index}, base::Error);

@@ -11,12 +11,12 @@
 namespace obscura::renderer {
 namespace {
 
+using tests::CornerView;
 using tests::rays_within;
-using tests::View;
 
 /// A floor under a ceiling whose surface the test sets; the camera looks at the floor from between.
-View under_ceiling(const Material& ceiling) {
-    View view;
+CornerView under_ceiling(const Material& ceiling) {
+    CornerView view;
     view.camera.position_m = {0.3F, 0.3F, 0.0F};
     view.camera.target_m = {0.0F, 0.0F, 0.0F};
     view.camera.vertical_fov_rad = 0.01F;
@@ -32,7 +32,7 @@ View under_ceiling(const Material& ceiling) {
     return view;
 }
 
-double mean_under(const View& view) {
+double mean_under(const CornerView& view) {
     return tests::mean_of(
         ReferenceScene(view.scene).trace(view.camera, 16, 16, rays_within(1.0, 256)).accessibility);
 }
@@ -49,7 +49,7 @@ Texture stripes(std::uint8_t even, std::uint8_t odd) {
 TEST(ReferenceSurfaces, ATriangleOccludesFromBothSides) {
     Material single;
     single.double_sided = false;
-    View view = under_ceiling(single);
+    CornerView view = under_ceiling(single);
     EXPECT_NEAR(mean_under(view), between_plates(0.5), 1e-3);
     for (std::size_t i = 0; i < view.scene.meshes[1].indices.size(); i += 3) {
         std::swap(view.scene.meshes[1].indices[i], view.scene.meshes[1].indices[i + 1]);
@@ -58,7 +58,7 @@ TEST(ReferenceSurfaces, ATriangleOccludesFromBothSides) {
 }
 
 TEST(ReferenceSurfaces, TheCameraDoesNotSeeTheBackOfASingleSidedTriangle) {
-    View view;
+    CornerView view;
     add_floor(view.scene, 0.0, 8.0);
     add_parallelogram(view.scene, {0.0, 0.5, -8.0}, {0.0, 0.0, 16.0}, {8.0, 0.0, 0.0});
     Material single;
@@ -109,7 +109,7 @@ TEST(ReferenceSurfaces, HolesTakeTheShareOfTheSurfaceThatTheFilteredTextureSays)
     const double covered = 1.0 - between_plates(0.5);
     for (const double cutoff : {0.25, 0.5, 0.75}) {
         ceiling.alpha_cutoff = static_cast<float>(cutoff);
-        View view = under_ceiling(ceiling);
+        CornerView view = under_ceiling(ceiling);
         view.scene.textures.push_back(stripes(255, 0));
         EXPECT_NEAR(mean_under(view), 1.0 - covered * (1.0 - cutoff), 3e-3) << cutoff;
     }
@@ -121,7 +121,7 @@ TEST(ReferenceSurfaces, OpacityScalesTheTexturesAlpha) {
     ceiling.coverage = Coverage::kCutOut;
     ceiling.albedo_texture = 0;
     ceiling.opacity = 0.4F;
-    View view = under_ceiling(ceiling);
+    CornerView view = under_ceiling(ceiling);
     view.scene.textures.push_back(stripes(255, 255));
     EXPECT_EQ(mean_under(view), 1.0);
 }
@@ -131,7 +131,7 @@ TEST(ReferenceSurfaces, HolesCountForFalloffToo) {
     ceiling.double_sided = true;
     ceiling.coverage = Coverage::kCutOut;
     ceiling.opacity = 0.1F;
-    const View view = under_ceiling(ceiling);
+    const CornerView view = under_ceiling(ceiling);
     ReferenceOptions options = rays_within(1.0, 64);
     options.falloff = Falloff::kLinear;
     const ReferenceImage image = ReferenceScene(view.scene).trace(view.camera, 4, 4, options);
@@ -152,7 +152,7 @@ TEST(ReferenceSurfaces, CoverageChangesTheGeometrysHash) {
 // A normal turned by 60 degrees from an open floor: what lies below the floor is occluded, which
 // leaves a wedge of 120 degrees.
 TEST(ReferenceSurfaces, DirectionsBelowTheSurfaceOfATurnedNormalAreOccluded) {
-    View view;
+    CornerView view;
     view.camera.position_m = {0.3F, 0.3F, 0.0F};
     view.camera.target_m = {0.0F, 0.0F, 0.0F};
     view.camera.vertical_fov_rad = 0.01F;
@@ -171,7 +171,7 @@ TEST(ReferenceSurfaces, DirectionsBelowTheSurfaceOfATurnedNormalAreOccluded) {
 // same normals outwards, from either side of the floor, and not that nothing is open.
 TEST(ReferenceSurfaces, NormalsOnTheWrongSideOfTheirFaceAreTurnedTowardsTheCamera) {
     for (const float side : {1.0F, -1.0F}) {
-        View view;
+        CornerView view;
         view.camera.position_m = {0.3F, 0.3F * side, 0.0F};
         view.camera.target_m = {0.0F, 0.0F, 0.0F};
         view.camera.vertical_fov_rad = 0.01F;

@@ -14,11 +14,11 @@ namespace obscura::renderer {
 namespace {
 
 using tests::corner_view;
+using tests::CornerView;
 using tests::rays_within;
-using tests::View;
 
 TEST(Reference, IsTheSameWhateverTheNumberOfThreads) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     const ReferenceScene scene(view.scene);
     ReferenceOptions options = rays_within(1.0, 33);
     options.threads = 1;
@@ -33,7 +33,7 @@ TEST(Reference, IsTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST(Reference, AnotherSeedGivesOtherErrorsAroundTheSameMean) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     const ReferenceScene scene(view.scene);
     ReferenceOptions options = rays_within(1.0, 64);
     const ReferenceImage one = scene.trace(view.camera, 48, 48, options);
@@ -44,7 +44,7 @@ TEST(Reference, AnotherSeedGivesOtherErrorsAroundTheSameMean) {
 }
 
 TEST(Reference, EmptyPixelsAreExactlyOpenAndWithoutError) {
-    View view;
+    CornerView view;
     add_ball(view.scene, {0.5, 0.0, 0.0}, 0.3, 24);
     const ReferenceImage image =
         ReferenceScene(view.scene).trace(view.camera, 64, 48, rays_within(1.0));
@@ -60,7 +60,7 @@ TEST(Reference, EmptyPixelsAreExactlyOpenAndWithoutError) {
 }
 
 TEST(Reference, FalloffOccludesLessAndTheQuadraticOneLiesBetween) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     const ReferenceScene scene(view.scene);
     ReferenceOptions options = rays_within(1.0, 64);
     const double none = tests::mean_of(scene.trace(view.camera, 32, 32, options).accessibility);
@@ -73,7 +73,7 @@ TEST(Reference, FalloffOccludesLessAndTheQuadraticOneLiesBetween) {
 }
 
 TEST(Reference, OneRayTellsNoErrorAndSaysTheMostThereCanBe) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     const ReferenceImage image =
         ReferenceScene(view.scene).trace(view.camera, 16, 16, rays_within(1.0, 1));
     EXPECT_THAT(image.standard_error, testing::Each(0.5F));
@@ -81,7 +81,7 @@ TEST(Reference, OneRayTellsNoErrorAndSaysTheMostThereCanBe) {
 }
 
 TEST(Reference, StopsWhenAskedAndSaysSo) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     int asked = 0;
     const auto stop = [&asked](double share) {
         ++asked;
@@ -98,7 +98,7 @@ TEST(Reference, StopsWhenAskedAndSaysSo) {
 }
 
 TEST(Reference, ProgressGrowsToOne) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     double last = 0.0;
     const auto tell = [&last](double share) {
         EXPECT_GE(share, last);
@@ -110,7 +110,7 @@ TEST(Reference, ProgressGrowsToOne) {
 }
 
 TEST(Reference, RefusesOptionsThatMeanNothing) {
-    const View view = corner_view();
+    const CornerView view = corner_view();
     const ReferenceScene scene(view.scene);
     const auto refused = [&](const ReferenceOptions& options, int width = 4, int height = 4) {
         try {
@@ -136,7 +136,7 @@ TEST(Reference, RefusesOptionsThatMeanNothing) {
 }
 
 TEST(Reference, RefusesACameraThatLooksNowhere) {
-    View view = corner_view();
+    CornerView view = corner_view();
     const ReferenceScene scene(view.scene);
     view.camera.target_m = view.camera.position_m;
     EXPECT_THROW((void)scene.trace(view.camera, 4, 4, rays_within(1.0)), base::Error);

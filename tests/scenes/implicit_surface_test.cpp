@@ -138,7 +138,7 @@ TEST(ImplicitShapes, NoLowerBoundExceedsTheDistance) {
             const auto t = static_cast<float>(i);
             const glm::vec3 way = glm::normalize(
                 glm::vec3(std::sin(t), std::cos(1.7F * t), std::sin(2.3F * t + 1.0F)));
-            const Bounds box = shape->bounds();
+            const ShapeBounds box = shape->bounds();
             glm::vec3 inside = 0.5F * (box.low + box.high);
             if (shape->distance(inside) > 0.0F) continue;
             glm::vec3 outside = inside + way * 0.6F;

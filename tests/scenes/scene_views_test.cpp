@@ -25,7 +25,7 @@ void expect_full_views(const BuiltinScene& entry, Validity level) {
     const renderer::HeadlessContext context;
     renderer::Renderer renderer;
     const renderer::GpuScene on_gpu(scene);
-    renderer::TechniqueChoice choice;
+    renderer::Variant choice;
     choice.technique = "none";
     for (const renderer::Camera& camera : scene.cameras) {
         const auto image =

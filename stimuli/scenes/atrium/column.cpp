@@ -111,7 +111,7 @@ Mesh volute(float size, float reach, float rise, int steps) {
         for (vec2& point : points) point *= vec2(0.34F, 0.105F) * size;
         return points;
     }();
-    std::vector<Frame> frames;
+    std::vector<ProfileFrame> frames;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const vec3 ahead =
             glm::normalize(path[std::min(i + 1, path.size() - 1)] - path[i > 0 ? i - 1 : 0]);

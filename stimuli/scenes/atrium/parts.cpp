@@ -169,7 +169,7 @@ void put_voussoirs(Site& site, const Ring& ring, const glm::mat4& transform) {
 }
 
 Mesh moulding(const std::vector<vec2>& profile, float x0, float x1) {
-    std::vector<Frame> frames;
+    std::vector<ProfileFrame> frames;
     const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / 0.3F)));
     for (int i = 0; i <= steps; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(steps);

@@ -117,7 +117,7 @@ void build_relief(Site& site) {
                                     {0.11F, 0.08F},  {0.08F, 0.12F},  {0.02F, 0.14F},
                                     {-0.04F, 0.12F}, {-0.06F, 0.08F}, {-0.1F, 0.07F}};
     for (int i = 0; i < kBlocks; ++i) {
-        std::vector<Frame> frames;
+        std::vector<ProfileFrame> frames;
         for (int k = 0; k <= 4; ++k) {
             const float turn =
                 (static_cast<float>(i) + 0.008F + 0.984F * static_cast<float>(k) / 4) / kBlocks *

@@ -127,7 +127,7 @@ Texel plaster(vec2 uv) {
     const float loss = fbm(p, 54, 4, period) + 0.06F * medium + 0.35F * broad - 0.40F;
     const float gone = glm::smoothstep(-0.004F, 0.012F, loss);
     const float lip = glm::smoothstep(-0.05F, 0.0F, loss) * (1.0F - gone);
-    const Cell crack_cell = cellular(p * 1.5F + 0.25F * medium, 55, {12, 6});
+    const CellularNoise crack_cell = cellular(p * 1.5F + 0.25F * medium, 55, {12, 6});
     const float crack =
         (1.0F - glm::smoothstep(0.0F, 0.012F, crack_cell.second - crack_cell.nearest)) *
         glm::smoothstep(-0.1F, 0.25F, broad + 0.5F * medium);
@@ -288,7 +288,7 @@ Texel leaf(vec2 uv) {
 }
 
 Texel soil(vec2 uv) {
-    const Cell clod = cellular(uv * 24.0F, 131, {24, 24});
+    const CellularNoise clod = cellular(uv * 24.0F, 131, {24, 24});
     const float fine = noise(uv * 8.0F);
     Texel texel;
     texel.albedo = colour<0x43342a>() * (0.8F + 0.5F * unit_of(clod.id, 0) + 0.3F * fine);

@@ -21,7 +21,7 @@ constexpr float kReach_m = 0.036F;  ///< how far the painted occlusion looks
 class NearField {
   public:
     explicit NearField(const Figure& figure) : figure_(figure) {
-        Bounds bounds;
+        ShapeBounds bounds;
         for (const FigurePart& part : figure.parts) {
             bounds_.push_back(part.solid.bounds());
             bounds.include(bounds_.back());
@@ -84,7 +84,7 @@ class NearField {
     }
 
     const Figure& figure_;
-    std::vector<Bounds> bounds_;  ///< of its parts
+    std::vector<ShapeBounds> bounds_;  ///< of its parts
     glm::vec3 low_{0.0F};
     glm::ivec3 size_{0};
     std::vector<std::vector<Near>> cells_;

@@ -36,7 +36,7 @@ TextureRecipe leather() {
             384,
             glm::vec2(0.12F),
             [](glm::vec2 uv) {
-                const Cell grain = cellular(uv * 46.0F, 3, {46, 46});
+                const CellularNoise grain = cellular(uv * 46.0F, 3, {46, 46});
                 const float crease = ridged(uv * 5.0F, 8, 3, {5, 5});
                 Texel texel;
                 texel.albedo = glm::vec3(
@@ -54,7 +54,7 @@ TextureRecipe leather() {
 
 TextureRecipe skin() {
     return {"skin", 320, 320, glm::vec2(0.06F), [](glm::vec2 uv) {
-                const Cell pore = cellular(uv * 60.0F, 13, {60, 60});
+                const CellularNoise pore = cellular(uv * 60.0F, 13, {60, 60});
                 const float blotch = fbm(uv * 5.0F, 17, 4, {5, 5});
                 Texel texel;
                 texel.albedo =

@@ -45,7 +45,7 @@ Texel stone(vec2 uv) {
     const float fine = noise(uv * 9.0F + 0.1F);
     const float grain = noise(uv * 23.0F);
     const float algae = glm::smoothstep(0.05F, 0.5F, noise(uv * 2.0F + 0.31F));
-    const Cell spot = cellular(uv * 9.0F + 0.25F * fine, 17, {9, 9});
+    const CellularNoise spot = cellular(uv * 9.0F + 0.25F * fine, 17, {9, 9});
     const float size = 0.34F * hash_unit(static_cast<int>(spot.id & 0xffffU), 1, 0, 3);
     const float lichen = glm::smoothstep(0.05F, -0.04F, spot.nearest - size + 0.12F * fine);
     Texel texel;
@@ -73,8 +73,9 @@ Texel clay(vec2 uv) {
 
 /// Crumbs of earth with chips of bark. Covers 0.8 m.
 Texel soil(vec2 uv) {
-    const Cell crumb = cellular(uv * 46.0F, 131, {46, 46});
-    const Cell bark = cellular(uv * vec2(13.0F, 22.0F) + 0.2F * noise(uv * 4.0F), 132, {13, 22});
+    const CellularNoise crumb = cellular(uv * 46.0F, 131, {46, 46});
+    const CellularNoise bark =
+        cellular(uv * vec2(13.0F, 22.0F) + 0.2F * noise(uv * 4.0F), 132, {13, 22});
     const float own = hash_unit(static_cast<int>(crumb.id & 0xffffU), 0, 0, 2);
     const float chip = glm::smoothstep(0.30F, 0.22F, bark.nearest);
     Texel texel;
@@ -86,10 +87,10 @@ Texel soil(vec2 uv) {
 
 /// Small stones between the single ones. Covers 0.6 m.
 Texel gravel(vec2 uv) {
-    const Cell grain = cellular(uv * 52.0F, 141, {52, 52});
-    const Cell larger = cellular(uv * 23.0F, 142, {23, 23});
+    const CellularNoise grain = cellular(uv * 52.0F, 141, {52, 52});
+    const CellularNoise larger = cellular(uv * 23.0F, 142, {23, 23});
     const bool big = larger.nearest < 0.36F;
-    const Cell& cell = big ? larger : grain;
+    const CellularNoise& cell = big ? larger : grain;
     const float own = hash_unit(static_cast<int>(cell.id & 0xffffU), 0, 0, 2);
     const float warm = hash_unit(static_cast<int>(cell.id & 0xffffU), 1, 0, 2);
     Texel texel;
@@ -121,7 +122,7 @@ Texel turf(vec2 uv) {
 }
 
 Texel zinc(vec2 uv) {
-    const Cell spangle = cellular(uv * 12.0F, 41, {12, 12});
+    const CellularNoise spangle = cellular(uv * 12.0F, 41, {12, 12});
     const float stain = glm::smoothstep(0.1F, 0.5F, noise(uv * 2.0F));
     Texel texel;
     texel.albedo = colour<0x8a8e8e>() *

@@ -49,8 +49,9 @@ Mesh toothed_ring(int teeth, float first_rad, float bore_m) {
     SweepOptions open;
     open.caps = false;
     open.crease_rad = 0.45F;
-    const std::array<Frame, 4> frames{Frame{{0.0F, 0.0F, -h}}, Frame{{0.0F, 0.0F, -0.3F * h}},
-                                      Frame{{0.0F, 0.0F, 0.3F * h}}, Frame{{0.0F, 0.0F, h}}};
+    const std::array<ProfileFrame, 4> frames{
+        ProfileFrame{{0.0F, 0.0F, -h}}, ProfileFrame{{0.0F, 0.0F, -0.3F * h}},
+        ProfileFrame{{0.0F, 0.0F, 0.3F * h}}, ProfileFrame{{0.0F, 0.0F, h}}};
     Mesh whole = sweep(outline, frames, open);
     // Faces between the outline and the bore.
     for (const float side : {-1.0F, 1.0F}) {

@@ -47,7 +47,7 @@ std::vector<vec2> finned_section() {
 }
 
 void put_body(Assembly& hall) {
-    std::vector<Frame> frames;
+    std::vector<ProfileFrame> frames;
     for (int i = 0; i <= 8; ++i) {
         const float t = static_cast<float>(i) / 8.0F;
         frames.push_back({{0.0F, 0.0F, kBackZ + 0.05F + (kFrontZ - kBackZ - 0.10F) * t}});

@@ -84,7 +84,7 @@ void put_grating(Assembly& hall) {
         {0.0032F, -0.0032F}, {0.0032F, 0.0032F}, {-0.0032F, 0.0032F}, {-0.0032F, -0.0032F}};
     for (int i = 0; i < 7; ++i) {
         const float z = kPitBack + depth * (static_cast<float>(i) + 0.5F) / 7.0F;
-        std::vector<Frame> frames;
+        std::vector<ProfileFrame> frames;
         constexpr int kSteps = 240;
         for (int k = 0; k <= kSteps; ++k) {
             const float x = kPitLeft + (kPitRight - kPitLeft) * static_cast<float>(k) / kSteps;

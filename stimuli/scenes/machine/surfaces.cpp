@@ -87,7 +87,7 @@ Texel concrete(vec2 uv) {
     const float medium = noise(uv * 4.0F + 0.3F);
     const float fine = noise(uv * 29.0F);
     const float stain = glm::smoothstep(0.05F, 0.65F, noise(uv * 3.0F + 0.63F) + 0.2F * medium);
-    const Cell crack = cellular(uv * 5.0F + 0.12F * medium, 71, {5, 5});
+    const CellularNoise crack = cellular(uv * 5.0F + 0.12F * medium, 71, {5, 5});
     const float line = (1.0F - glm::smoothstep(0.0F, 0.006F, crack.second - crack.nearest)) *
                        glm::smoothstep(0.0F, 0.3F, broad);
     Texel texel;
@@ -145,7 +145,7 @@ Texel tile(vec2 uv) {
 }
 
 Texel zinc(vec2 uv) {
-    const Cell spangle = cellular(uv * 14.0F, 41, {14, 14});
+    const CellularNoise spangle = cellular(uv * 14.0F, 41, {14, 14});
     const float tone = hash_unit(static_cast<int>(spangle.id & 0xffffU), 0, 0, 6);
     Texel texel;
     texel.albedo = colour<0x8e9294>() * (0.82F + 0.26F * tone + 0.18F * noise(uv * 2.0F));

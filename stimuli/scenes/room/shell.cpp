@@ -43,7 +43,7 @@ void put_walls(Assembly& study) {
                 vec3(1.0F));
 }
 
-/// Frame, two casements of four panes each, a board inside below.
+/// ProfileFrame, two casements of four panes each, a board inside below.
 void put_window(Assembly& study) {
     const float z0 = kWindowBack;
     const float z1 = kWindowFront;
@@ -128,7 +128,7 @@ void put_mouldings(Assembly& study, const vec3& from, const vec3& to) {
         const vec3 start =
             glm::dot(glm::cross(out, vec3(0.0F, 1.0F, 0.0F)), way) > 0.0F ? from : to;
         const vec3 end = start == from ? to : from;
-        std::vector<Frame> frames;
+        std::vector<ProfileFrame> frames;
         for (int i = 0; i <= 10; ++i) {
             const vec3 p = glm::mix(start, end, static_cast<float>(i) / 10.0F);
             frames.push_back({p + vec3(0.0F, y, 0.0F), out, {0.0F, 1.0F, 0.0F}});

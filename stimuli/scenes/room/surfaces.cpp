@@ -221,7 +221,7 @@ Texel leaf(vec2 uv) {
 }
 
 Texel soil(vec2 uv) {
-    const Cell clod = cellular(uv * 20.0F, 131, {20, 20});
+    const CellularNoise clod = cellular(uv * 20.0F, 131, {20, 20});
     Texel texel;
     texel.albedo = colour<0x3c2e24>() *
                    (0.8F + 0.5F * hash_unit(static_cast<int>(clod.id & 0xffffU), 0, 0, 2));

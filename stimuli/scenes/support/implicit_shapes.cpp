@@ -16,7 +16,7 @@ float box_distance(const glm::vec3& local, const glm::vec3& half) {
            std::min(std::max(q.x, std::max(q.y, q.z)), 0.0F);
 }
 
-Bounds bounds_of_box(const glm::vec3& centre, const glm::vec3& half, const glm::mat3& axes) {
+ShapeBounds bounds_of_box(const glm::vec3& centre, const glm::vec3& half, const glm::mat3& axes) {
     const glm::vec3 reach =
         glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
     return {centre - reach, centre + reach};
@@ -47,8 +47,8 @@ class RoundCone final : public Shape {
         return (std::sqrt(x2 * a2_ * il2_) + y * rr_) * il2_ - ra_;
     }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override { return distance(p); }
-    [[nodiscard]] Bounds bounds() const override {
-        Bounds result;
+    [[nodiscard]] ShapeBounds bounds() const override {
+        ShapeBounds result;
         result.include(a_, ra_);
         result.include(b_, rb_);
         return result;
@@ -78,7 +78,9 @@ class Ellipsoid final : public Shape {
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         return box_distance((p - centre_) * axes_, radii_);
     }
-    [[nodiscard]] Bounds bounds() const override { return bounds_of_box(centre_, radii_, axes_); }
+    [[nodiscard]] ShapeBounds bounds() const override {
+        return bounds_of_box(centre_, radii_, axes_);
+    }
 
   private:
     glm::vec3 centre_, radii_;
@@ -94,7 +96,9 @@ class RoundedBox final : public Shape {
         return box_distance((p - centre_) * axes_, half_ - rounding_) - rounding_;
     }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override { return distance(p); }
-    [[nodiscard]] Bounds bounds() const override { return bounds_of_box(centre_, half_, axes_); }
+    [[nodiscard]] ShapeBounds bounds() const override {
+        return bounds_of_box(centre_, half_, axes_);
+    }
 
   private:
     glm::vec3 centre_, half_;
@@ -109,7 +113,9 @@ class HalfSpace final : public Shape {
         return glm::dot(p - point_, normal_);
     }
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override { return distance(p); }
-    [[nodiscard]] Bounds bounds() const override { return {glm::vec3(-1e9F), glm::vec3(1e9F)}; }
+    [[nodiscard]] ShapeBounds bounds() const override {
+        return {glm::vec3(-1e9F), glm::vec3(1e9F)};
+    }
 
   private:
     glm::vec3 point_, normal_;
@@ -124,8 +130,8 @@ class Grown final : public Shape {
     [[nodiscard]] float lower_bound(const glm::vec3& p) const override {
         return shape_->lower_bound(p) - by_;
     }
-    [[nodiscard]] Bounds bounds() const override {
-        const Bounds inner = shape_->bounds();
+    [[nodiscard]] ShapeBounds bounds() const override {
+        const ShapeBounds inner = shape_->bounds();
         return {inner.low - by_, inner.high + by_};
     }
     [[nodiscard]] ShapePtr restricted(const glm::vec3& p, float radius) const override {
@@ -180,8 +186,8 @@ class TubeSegment final : public Shape {
         const float t = std::clamp(glm::dot(pa, ba_) * inverse_length2_, 0.0F, 1.0F);
         return glm::length(pa - ba_ * t) - 1.32F * thick_ - style_.relief_high_m;
     }
-    [[nodiscard]] Bounds bounds() const override {
-        Bounds result;
+    [[nodiscard]] ShapeBounds bounds() const override {
+        ShapeBounds result;
         result.include(a_.position_m, 1.32F * thick_ + style_.relief_high_m);
         result.include(b_.position_m, 1.32F * thick_ + style_.relief_high_m);
         return result;
@@ -230,12 +236,12 @@ glm::vec4 catmull_rom(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c
 
 }  // namespace
 
-void Bounds::include(const glm::vec3& point_m, float radius_m) {
+void ShapeBounds::include(const glm::vec3& point_m, float radius_m) {
     low = glm::min(low, point_m - radius_m);
     high = glm::max(high, point_m + radius_m);
 }
 
-void Bounds::include(const Bounds& other) {
+void ShapeBounds::include(const ShapeBounds& other) {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
 }

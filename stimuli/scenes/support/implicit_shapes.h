@@ -10,12 +10,12 @@
 namespace obscura::stimuli {
 
 /// An axis-aligned box in metres; empty until something is put in.
-struct Bounds {
+struct ShapeBounds {
     glm::vec3 low{1e9F};
     glm::vec3 high{-1e9F};
 
     void include(const glm::vec3& point_m, float radius_m);
-    void include(const Bounds& other);
+    void include(const ShapeBounds& other);
 };
 
 /// A solid given by its signed distance: negative inside. All lengths in metres.
@@ -38,7 +38,7 @@ class Shape {
     [[nodiscard]] virtual float relief_high() const { return 0.0F; }
     /// Never more than the true distance to the raised solid; may be coarser than distance().
     [[nodiscard]] virtual float lower_bound(const glm::vec3& point_m) const = 0;
-    [[nodiscard]] virtual Bounds bounds() const = 0;
+    [[nodiscard]] virtual ShapeBounds bounds() const = 0;
     /// A cheaper shape that is the same within `radius_m` of the point wherever its distance is
     /// below `radius_m`; null where this one is cheap enough. It must not outlive this one.
     [[nodiscard]] virtual std::shared_ptr<const Shape> restricted(const glm::vec3& point_m,

@@ -77,7 +77,7 @@ class Mesher {
 
     /// Halves the bounding cube until blocks remain that the surface may pass through.
     void find_blocks() {
-        const Bounds bounds = sculpture_.bounds();
+        const ShapeBounds bounds = sculpture_.bounds();
         origin_m_ = bounds.low - 2.0F * cell_m_;
         const glm::vec3 size = bounds.high - bounds.low + 4.0F * cell_m_;
         int cells = kLocalCells;

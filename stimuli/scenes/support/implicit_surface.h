@@ -46,7 +46,7 @@ class Sculpture {
     void displace(Displacement displacement);
 
     [[nodiscard]] float distance(const glm::vec3& point_m) const;
-    [[nodiscard]] Bounds bounds() const;
+    [[nodiscard]] ShapeBounds bounds() const;
 
     /// One shape of a stroke, as the evaluation walks over them.
     struct Part {

@@ -85,11 +85,12 @@ std::vector<float> lengths_along(std::span<const Point> points, bool closed) {
     return lengths;
 }
 
-glm::vec3 in_frame(const Frame& frame, const glm::vec2& point) {
+glm::vec3 in_frame(const ProfileFrame& frame, const glm::vec2& point) {
     return frame.origin_m + frame.x_axis * point.x + frame.y_axis * point.y;
 }
 
-void add_cap(Mesh& mesh, std::span<const glm::vec2> profile, const Frame& frame, bool at_start) {
+void add_cap(Mesh& mesh, std::span<const glm::vec2> profile, const ProfileFrame& frame,
+             bool at_start) {
     const auto first = static_cast<Index>(mesh.vertices.size());
     glm::vec2 mean(0.0F);
     for (const glm::vec2& point : profile) mean += point / static_cast<float>(profile.size());
@@ -222,11 +223,11 @@ Mesh revolve(std::span<const glm::vec2> profile, int segments, float crease_rad)
     return mesh;
 }
 
-Mesh sweep(std::span<const glm::vec2> profile, std::span<const Frame> frames,
+Mesh sweep(std::span<const glm::vec2> profile, std::span<const ProfileFrame> frames,
            const SweepOptions& options) {
     Mesh mesh;
     std::vector<glm::vec3> places;
-    for (const Frame& frame : frames) places.push_back(frame.origin_m);
+    for (const ProfileFrame& frame : frames) places.push_back(frame.origin_m);
     const std::vector<float> along =
         lengths_along(std::span<const glm::vec3>(places), options.closed_path);
     const std::vector<float> around = lengths_along(profile, options.closed_profile);
@@ -254,8 +255,9 @@ Mesh sweep(std::span<const glm::vec2> profile, std::span<const Frame> frames,
     return mesh;
 }
 
-std::vector<Frame> frames_along(std::span<const glm::vec3> path_m, glm::vec3 up, bool closed) {
-    std::vector<Frame> frames;
+std::vector<ProfileFrame> frames_along(std::span<const glm::vec3> path_m, glm::vec3 up,
+                                       bool closed) {
+    std::vector<ProfileFrame> frames;
     const std::size_t count = path_m.size();
     glm::vec3 last_y = up;
     for (std::size_t i = 0; i < count; ++i) {

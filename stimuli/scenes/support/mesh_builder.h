@@ -36,7 +36,7 @@ struct PatchOptions {
 
 /// Where a profile is put: its x axis, its y axis and its place. The path runs along
 /// cross(x_axis, y_axis).
-struct Frame {
+struct ProfileFrame {
     glm::vec3 origin_m{0.0F};
     glm::vec3 x_axis{1.0F, 0.0F, 0.0F};
     glm::vec3 y_axis{0.0F, 1.0F, 0.0F};
@@ -49,11 +49,12 @@ struct SweepOptions {
 };
 /// Carries a profile (counter-clockwise in its x and y axes, metres) through the frames.
 [[nodiscard]] renderer::Mesh sweep(std::span<const glm::vec2> profile,
-                                   std::span<const Frame> frames, const SweepOptions& options = {});
+                                   std::span<const ProfileFrame> frames,
+                                   const SweepOptions& options = {});
 
 /// Frames along a polyline, without twist; `up` is the y axis where the path is level.
-[[nodiscard]] std::vector<Frame> frames_along(std::span<const glm::vec3> path_m, glm::vec3 up,
-                                              bool closed = false);
+[[nodiscard]] std::vector<ProfileFrame> frames_along(std::span<const glm::vec3> path_m,
+                                                     glm::vec3 up, bool closed = false);
 
 /// Points of a circle of that radius, counter-clockwise.
 [[nodiscard]] std::vector<glm::vec2> circle(float radius_m, int segments);

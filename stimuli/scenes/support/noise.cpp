@@ -210,9 +210,9 @@ float NoiseTile::at(glm::vec2 uv) const {
                 lerp(value(base.x, base.y + 1), value(base.x + 1, base.y + 1), f.x), f.y);
 }
 
-Cell cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period) {
+CellularNoise cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period) {
     const glm::ivec2 base = cell_of(p);
-    Cell found{1e9F, 1e9F, 0, {}};
+    CellularNoise found{1e9F, 1e9F, 0, {}};
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
             const glm::ivec2 cell = base + glm::ivec2(x, y);
@@ -232,9 +232,9 @@ Cell cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period) {
     return found;
 }
 
-Cell cellular(glm::vec3 p, std::uint32_t seed) {
+CellularNoise cellular(glm::vec3 p, std::uint32_t seed) {
     const glm::ivec3 base = cell_of(p);
-    Cell found{1e9F, 1e9F, 0, {}};
+    CellularNoise found{1e9F, 1e9F, 0, {}};
     for (int k = 0; k < 27; ++k) {
         const glm::ivec3 cell = base + glm::ivec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
         const std::uint32_t id = hash_lattice(cell.x, cell.y, cell.z, seed);

@@ -54,13 +54,13 @@ class NoiseTile {
 };
 
 /// One random point in each lattice cell (Worley 1996).
-struct Cell {
+struct CellularNoise {
     float nearest = 0.0F;      ///< distance to the nearest point, cells
     float second = 0.0F;       ///< distance to the second nearest, >= nearest
     std::uint32_t id = 0;      ///< hash of the nearest point's cell
     glm::vec2 to_point{0.0F};  ///< from p to the nearest point, cells (x and y)
 };
-[[nodiscard]] Cell cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period = {0, 0});
-[[nodiscard]] Cell cellular(glm::vec3 p, std::uint32_t seed);
+[[nodiscard]] CellularNoise cellular(glm::vec2 p, std::uint32_t seed, glm::ivec2 period = {0, 0});
+[[nodiscard]] CellularNoise cellular(glm::vec3 p, std::uint32_t seed);
 
 }  // namespace obscura::stimuli

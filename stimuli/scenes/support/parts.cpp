@@ -111,7 +111,8 @@ std::vector<glm::mat4> around(int count, float radius_m, float first_rad) {
 }
 
 Mesh extrude(std::span<const vec2> profile, float z0_m, float z1_m, float crease_rad) {
-    const std::array<Frame, 2> frames{Frame{{0.0F, 0.0F, z0_m}}, Frame{{0.0F, 0.0F, z1_m}}};
+    const std::array<ProfileFrame, 2> frames{ProfileFrame{{0.0F, 0.0F, z0_m}},
+                                             ProfileFrame{{0.0F, 0.0F, z1_m}}};
     SweepOptions options;
     options.crease_rad = crease_rad;
     return sweep(profile, frames, options);

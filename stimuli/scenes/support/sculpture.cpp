@@ -33,7 +33,7 @@ float blended(float so_far, float stroke, Blend blend, float k) {
 /// What of a sculpture is near a place.
 class NearbyShape final : public Shape {
   public:
-    NearbyShape(const Sculpture& sculpture, const Bounds& bounds, const glm::vec3& point_m,
+    NearbyShape(const Sculpture& sculpture, const ShapeBounds& bounds, const glm::vec3& point_m,
                 float radius_m)
         : sculpture_(sculpture),
           bounds_(bounds),
@@ -50,11 +50,11 @@ class NearbyShape final : public Shape {
         const glm::vec3 q = glm::max(bounds_.low - p, p - bounds_.high);
         return glm::length(glm::max(q, glm::vec3(0.0F)));
     }
-    [[nodiscard]] Bounds bounds() const override { return bounds_; }
+    [[nodiscard]] ShapeBounds bounds() const override { return bounds_; }
 
   private:
     const Sculpture& sculpture_;
-    Bounds bounds_;
+    ShapeBounds bounds_;
     std::vector<Sculpture::Part> parts_;
     std::vector<ShapePtr> owners_;
 };
@@ -73,14 +73,14 @@ class SculptureShape final : public Shape {
         const glm::vec3 q = glm::max(bounds_.low - p, p - bounds_.high);
         return glm::length(glm::max(q, glm::vec3(0.0F)));
     }
-    [[nodiscard]] Bounds bounds() const override { return bounds_; }
+    [[nodiscard]] ShapeBounds bounds() const override { return bounds_; }
     [[nodiscard]] ShapePtr restricted(const glm::vec3& point_m, float radius_m) const override {
         return std::make_shared<NearbyShape>(sculpture_, bounds_, point_m, radius_m);
     }
 
   private:
     Sculpture sculpture_;
-    Bounds bounds_;
+    ShapeBounds bounds_;
 };
 
 }  // namespace
@@ -90,7 +90,7 @@ void Sculpture::stroke(Blend blend, const std::vector<ShapePtr>& shapes, const S
     strokes_.push_back({blend, style, style.blend_m});
     for (const ShapePtr& shape : shapes) {
         shapes_.push_back(shape);
-        const Bounds box = shape->bounds();
+        const ShapeBounds box = shape->bounds();
         parts_.push_back({shape.get(), index, 0.5F * (box.low + box.high),
                           0.5F * glm::length(box.high - box.low), shape->relief_high()});
     }
@@ -202,8 +202,8 @@ glm::vec3 Sculpture::tint(const glm::vec3& point_m, std::span<const Part> parts)
     return colour;
 }
 
-Bounds Sculpture::bounds() const {
-    Bounds result;
+ShapeBounds Sculpture::bounds() const {
+    ShapeBounds result;
     for (const Part& part : parts_) {
         if (strokes_[part.stroke].blend == Blend::kAdd) result.include(part.shape->bounds());
     }
@@ -211,7 +211,7 @@ Bounds Sculpture::bounds() const {
     result = {result.low - room, result.high + room};
     for (const Part& part : parts_) {
         if (strokes_[part.stroke].blend != Blend::kKeep) continue;
-        const Bounds kept = part.shape->bounds();
+        const ShapeBounds kept = part.shape->bounds();
         result.low = glm::max(result.low, kept.low - displacement_.high_m);
         result.high = glm::min(result.high, kept.high + displacement_.high_m);
     }

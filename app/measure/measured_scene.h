@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/measure/view.h"
+#include "app/measure/measured_view.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/reference.h"
 
@@ -16,39 +16,39 @@ namespace obscura::app {
 
 /// Where settings are rendered and truths are traced. Needs a current OpenGL context; keeps one
 /// scene at a time, so ask for views of one scene together.
-class Stage {
+class MeasuredScene {
   public:
-    explicit Stage(const MeasureRequest& request) : request_(request) {}
+    explicit MeasuredScene(const MeasureRequest& request) : request_(request) {}
 
     /// Every buffer of one image, as the study shows it. Throws bad input for a scene without
     /// triangles.
-    [[nodiscard]] renderer::Frame render(const View& view, const renderer::TechniqueChoice& choice,
+    [[nodiscard]] renderer::Frame render(const MeasuredView& view, const renderer::Variant& choice,
                                          int width, int height);
 
     /// Accessibility and filter of another choice with the same plan, once more on those buffers.
-    std::vector<renderer::PassTime> render_again(const View& view, renderer::Frame& frame,
-                                                 const renderer::TechniqueChoice& choice);
+    std::vector<renderer::PassTime> render_again(const MeasuredView& view, renderer::Frame& frame,
+                                                 const renderer::Variant& choice);
 
     /// The same as render() without environment and lights, for what looks at accessibility alone.
-    [[nodiscard]] renderer::Frame render_plainly(const View& view,
-                                                 const renderer::TechniqueChoice& choice, int width,
+    [[nodiscard]] renderer::Frame render_plainly(const MeasuredView& view,
+                                                 const renderer::Variant& choice, int width,
                                                  int height);
 
     /// The truth within R, from the cache or traced.
-    [[nodiscard]] const renderer::ReferenceImage& truth(const View& view, double radius_m,
+    [[nodiscard]] const renderer::ReferenceImage& truth(const MeasuredView& view, double radius_m,
                                                         int width, int height, int rays);
 
     /// The view's image with the truth in place of a technique's accessibility.
-    [[nodiscard]] std::vector<std::uint8_t> true_image(const View& view,
+    [[nodiscard]] std::vector<std::uint8_t> true_image(const MeasuredView& view,
                                                        const renderer::ReferenceImage& truth,
                                                        double radius_m);
 
   private:
-    void load(const View& view);
+    void load(const MeasuredView& view);
     /// The view as the study shows it.
-    [[nodiscard]] renderer::View shown(const View& view);
-    [[nodiscard]] const renderer::Camera& camera_of(const View& view) const;
-    const renderer::Lighting& lighting_of(const View& view);
+    [[nodiscard]] renderer::View shown(const MeasuredView& view);
+    [[nodiscard]] const renderer::Camera& camera_of(const MeasuredView& view) const;
+    const renderer::Lighting& lighting_of(const MeasuredView& view);
 
     const MeasureRequest& request_;
     std::shared_ptr<const stimuli::SceneSource> loaded_;

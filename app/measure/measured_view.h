@@ -18,11 +18,11 @@ namespace obscura::app {
 /// A setting that the study shows on a view.
 struct ShownSetting {
     std::string where;  ///< condition and side: `III a`
-    renderer::TechniqueChoice choice;
+    renderer::Variant choice;
 };
 
 /// One view of one scene that is measured.
-struct View {
+struct MeasuredView {
     std::string scene_id;  ///< the study's; without a study the scene's own
     std::shared_ptr<const stimuli::SceneSource> scene;  ///< views of one scene share it
     std::string camera;
@@ -43,31 +43,34 @@ enum class Values {
 
 /// A technique with the values that it is measured with.
 struct Valued {
-    renderer::TechniqueChoice choice;
+    renderer::Variant choice;
     Values values = Values::kPublished;
 };
 
 /// The views that the request asks for: those of the study, or every camera of its scenes. Throws
 /// bad input naming the option for an unknown scene.
-[[nodiscard]] std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
-                                         const std::vector<stimuli::BuiltinScene>& catalogue);
+[[nodiscard]] std::vector<MeasuredView> views_of(
+    const MeasureRequest& request, const stimuli::Study& study,
+    const std::vector<stimuli::BuiltinScene>& catalogue);
 
 /// A technique in every way in which the study shows it on this view, one for each set of
 /// parameters; else in the first way on this scene; else one with the values that the study gives
 /// to parameters of the same name on this scene, or as it shows the technique elsewhere, or as the
 /// descriptor says. Samples are the shown ones, or the descriptor's. Never empty.
-[[nodiscard]] std::vector<Valued> published_choices(const View& view, const stimuli::Study& study,
+[[nodiscard]] std::vector<Valued> published_choices(const MeasuredView& view,
+                                                    const stimuli::Study& study,
                                                     const std::string& technique);
 
 /// The parameter that is R of the truth where a technique has it.
 inline constexpr const char* kTruthRadius = "radius_m";
 
 /// R of the truth that a choice is held against before any fit: its own radius, or the view's.
-[[nodiscard]] double truth_radius_m(const View& view, const renderer::TechniqueChoice& choice);
+[[nodiscard]] double truth_radius_m(const MeasuredView& view, const renderer::Variant& choice);
 
 /// Every setting to measure on a view, before any fit: each technique with each number of samples
 /// and filter, and what the study shows; each once. `none` has one setting.
-[[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
+[[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request,
+                                              const MeasuredView& view,
                                               const stimuli::Study& study);
 
 /// The techniques that are measured: the request's, or all that are not the truth themselves.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/measure/stage.h"
+#include "app/measure/measured_scene.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace obscura::app {
 
-void Stage::load(const View& view) {
+void MeasuredScene::load(const MeasuredView& view) {
     if (loaded_ == view.scene) return;
     loaded_ = nullptr;
     lightings_.clear();
@@ -26,7 +26,7 @@ void Stage::load(const View& view) {
     loaded_ = view.scene;
 }
 
-const renderer::Camera& Stage::camera_of(const View& view) const {
+const renderer::Camera& MeasuredScene::camera_of(const MeasuredView& view) const {
     const renderer::Camera* camera = scene_.find_camera(view.camera);
     if (camera == nullptr) {
         throw base::bad_input("scene \"{}\" has no camera \"{}\"", view.scene->id, view.camera);
@@ -34,30 +34,32 @@ const renderer::Camera& Stage::camera_of(const View& view) const {
     return *camera;
 }
 
-const renderer::Lighting& Stage::lighting_of(const View& view) {
+const renderer::Lighting& MeasuredScene::lighting_of(const MeasuredView& view) {
     if (!lightings_.contains(view.validity)) {
         lightings_.emplace(view.validity, view.scene->lighting(view.validity));
     }
     return lightings_.at(view.validity);
 }
 
-renderer::View Stage::shown(const View& view) {
+renderer::View MeasuredScene::shown(const MeasuredView& view) {
     load(view);
     return {*gpu_, lighting_of(view), camera_of(view), view.options};
 }
 
-renderer::Frame Stage::render(const View& view, const renderer::TechniqueChoice& choice, int width,
-                              int height) {
+renderer::Frame MeasuredScene::render(const MeasuredView& view, const renderer::Variant& choice,
+                                      int width, int height) {
     return renderer_.render(shown(view), choice, width, height);
 }
 
-std::vector<renderer::PassTime> Stage::render_again(const View& view, renderer::Frame& frame,
-                                                    const renderer::TechniqueChoice& choice) {
+std::vector<renderer::PassTime> MeasuredScene::render_again(const MeasuredView& view,
+                                                            renderer::Frame& frame,
+                                                            const renderer::Variant& choice) {
     return renderer_.render_accessibility_again(frame, shown(view), choice);
 }
 
-renderer::Frame Stage::render_plainly(const View& view, const renderer::TechniqueChoice& choice,
-                                      int width, int height) {
+renderer::Frame MeasuredScene::render_plainly(const MeasuredView& view,
+                                              const renderer::Variant& choice, int width,
+                                              int height) {
     load(view);
     renderer::Lighting lighting;
     lighting.normal_mapping = lighting_of(view).normal_mapping;
@@ -66,8 +68,8 @@ renderer::Frame Stage::render_plainly(const View& view, const renderer::Techniqu
     return renderer_.render({*gpu_, lighting, camera_of(view), options}, choice, width, height);
 }
 
-const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, int width,
-                                             int height, int rays) {
+const renderer::ReferenceImage& MeasuredScene::truth(const MeasuredView& view, double radius_m,
+                                                     int width, int height, int rays) {
     load(view);
     const std::string key =
         fmt::format("{} {} {}x{} {}", view.camera, radius_m, width, height, rays);
@@ -90,15 +92,17 @@ const renderer::ReferenceImage& Stage::truth(const View& view, double radius_m, 
         .first->second;
 }
 
-std::vector<std::uint8_t> Stage::true_image(const View& view, const renderer::ReferenceImage& truth,
-                                            double radius_m) {
-    renderer::TechniqueChoice choice;
+std::vector<std::uint8_t> MeasuredScene::true_image(const MeasuredView& view,
+                                                    const renderer::ReferenceImage& truth,
+                                                    double radius_m) {
+    renderer::Variant choice;
     choice.technique = "reference";
     choice.samples = 1;
     choice.parameters["radius_m"] = radius_m;
     renderer::View with_truth = shown(view);
-    with_truth.traced = [&truth](const renderer::Camera&, int, int,
-                                 const renderer::TechniqueChoice&) { return truth.accessibility; };
+    with_truth.traced = [&truth](const renderer::Camera&, int, int, const renderer::Variant&) {
+        return truth.accessibility;
+    };
     return renderer_.render(with_truth, choice, truth.width, truth.height).read_display();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/measure/view.h"
+#include "app/measure/measured_view.h"
 
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using renderer::Parameter;
 using renderer::Technique;
-using renderer::TechniqueChoice;
+using renderer::Variant;
 
 const std::vector<int> kSamples{8, 16, 24, 32, 64};
 const std::vector<int> kQuickSamples{8, 24, 64};
@@ -66,8 +66,9 @@ double radius_on(const stimuli::Study& study, const std::string& source) {
 using Source = std::shared_ptr<const stimuli::SceneSource>;
 
 /// A view of the study.
-View make_view(Source source, const stimuli::StudyScene& scene, const stimuli::Study& study) {
-    View view;
+MeasuredView make_view(Source source, const stimuli::StudyScene& scene,
+                       const stimuli::Study& study) {
+    MeasuredView view;
     view.scene_id = scene.id;
     view.camera = scene.camera;
     view.validity = scene.validity;
@@ -79,8 +80,8 @@ View make_view(Source source, const stimuli::StudyScene& scene, const stimuli::S
 }
 
 /// A view of a scene without a study; `study` lends the values to begin with.
-View make_view(Source source, const std::string& camera, const stimuli::Study& study) {
-    View view;
+MeasuredView make_view(Source source, const std::string& camera, const stimuli::Study& study) {
+    MeasuredView view;
     view.scene_id = source->id;
     view.camera = camera;
     view.validity = source->levels.front();
@@ -167,13 +168,13 @@ std::vector<std::string> filters_of(const MeasureRequest& request) {
     return filters;
 }
 
-bool is_among(const std::vector<Valued>& list, const TechniqueChoice& choice) {
+bool is_among(const std::vector<Valued>& list, const Variant& choice) {
     return std::any_of(list.begin(), list.end(),
                        [&](const Valued& held) { return held.choice == choice; });
 }
 
-bool same_parameters(const TechniqueChoice& a, const TechniqueChoice& b) {
-    TechniqueChoice like_a = b;
+bool same_parameters(const Variant& a, const Variant& b) {
+    Variant like_a = b;
     like_a.samples = a.samples;
     like_a.denoise = a.denoise;
     like_a.depth_format = a.depth_format;
@@ -226,9 +227,9 @@ std::string to_string(Values values) {
     return "";
 }
 
-std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& study,
-                           const std::vector<stimuli::BuiltinScene>& catalogue) {
-    std::vector<View> views;
+std::vector<MeasuredView> views_of(const MeasureRequest& request, const stimuli::Study& study,
+                                   const std::vector<stimuli::BuiltinScene>& catalogue) {
+    std::vector<MeasuredView> views;
     if (request.scenes.empty()) {
         std::map<std::string, Source> sources;
         for (const stimuli::StudyScene& scene : study.scenes) {
@@ -248,7 +249,7 @@ std::vector<View> views_of(const MeasureRequest& request, const stimuli::Study& 
     return views;
 }
 
-std::vector<Valued> published_choices(const View& view, const stimuli::Study& study,
+std::vector<Valued> published_choices(const MeasuredView& view, const stimuli::Study& study,
                                       const std::string& technique) {
     std::vector<Valued> ways = ways_of(view.shown, technique);
     if (!ways.empty()) return ways;
@@ -275,16 +276,16 @@ std::vector<Valued> published_choices(const View& view, const stimuli::Study& st
     return {made};
 }
 
-double truth_radius_m(const View& view, const TechniqueChoice& choice) {
+double truth_radius_m(const MeasuredView& view, const Variant& choice) {
     const Parameter* radius =
         renderer::find_technique(choice.technique)->find_parameter(kTruthRadius);
     return radius != nullptr ? choice.value_of(*radius) : view.radius_m;
 }
 
-std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
+std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredView& view,
                                 const stimuli::Study& study) {
     std::vector<Valued> settings;
-    const auto add = [&settings](const TechniqueChoice& choice, Values values) {
+    const auto add = [&settings](const Variant& choice, Values values) {
         if (!is_among(settings, choice)) settings.push_back({choice, values});
     };
     const bool as_asked = !request.samples.empty() || !request.filters.empty();
@@ -292,7 +293,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
         const Technique& technique = *renderer::find_technique(name);
         const std::vector<Valued> ways = published_choices(view, study, name);
         for (const Valued& way : ways) {
-            TechniqueChoice choice = way.choice;
+            Variant choice = way.choice;
             if (technique.samples.high == 0) {
                 add(choice, way.values);
                 continue;
@@ -311,14 +312,14 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const View& view,
         // Half-float depth, on what the study shows or would show.
         if (!request.quick && request.samples.empty() &&
             technique.standard_recipe().reads(renderer::Target::kDepth)) {
-            TechniqueChoice choice = ways.front().choice;
+            Variant choice = ways.front().choice;
             choice.depth_format = "r16f";
             add(choice, ways.front().values);
         }
     }
     const std::vector<std::string> techniques = measured_techniques(request);
     for (const ShownSetting& setting : view.shown) {
-        const TechniqueChoice& choice = setting.choice;
+        const Variant& choice = setting.choice;
         const bool measured = is_wanted(techniques, choice.technique) &&
                               (choice.samples == 0 || (is_wanted(request.samples, choice.samples) &&
                                                        is_wanted(request.filters, choice.denoise)));
