@@ -121,9 +121,9 @@ void add_published_study(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
     if (!is_published_votes(analysis.tally)) return;
     draft.page.heading("The thesis's Table 4, and what it did not say");
-    Table table{{"Condition", "A", "B", "Votes A : B", "Chi-square", "p", "Printed chi-square",
-                 "Printed p", "p, Holm", "p, exact", "p, exact, Holm"},
-                {}};
+    PageTable table{{"Condition", "A", "B", "Votes A : B", "Chi-square", "p", "Printed chi-square",
+                     "Printed p", "p, Holm", "p, exact", "p, exact, Holm"},
+                    {}};
     const std::vector<Possible<double>> exact_holm = exact_p_holm(analysis);
     for (std::size_t i = 0; i < analysis.conditions.size(); ++i) {
         const ConditionResult& result = analysis.conditions[i];

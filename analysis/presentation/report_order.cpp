@@ -75,7 +75,8 @@ void add_order_bias(ReportDraft& draft) {
     plot.right = "second chosen";
     plot.x_low = 0.0;
     plot.x_high = 100.0;
-    Table table{{"Condition", "Second chosen", "Answers", "Second (%)", "95 % interval (%)"}, {}};
+    PageTable table{{"Condition", "Second chosen", "Answers", "Second (%)", "95 % interval (%)"},
+                    {}};
     for (const SecondChosen& row : second_chosen(analysis)) {
         const Possible<Interval> interval = wilson(row.chosen, row.n, kConfidence);
         if (!interval.has_value()) continue;

@@ -13,7 +13,7 @@
 #include <set>
 
 #include "app/kiosk/page_check.h"
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/stage.h"
 #include "tests/kiosk/small_study.h"
 #include "tests/kiosk/virtual_display.h"

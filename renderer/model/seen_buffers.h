@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer/model/rounded.h"
 #include "renderer/scene/scene.h"
-#include "renderer/technique/rounded.h"
 
 namespace obscura::renderer {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/seen_buffers.h"
 
 #include <algorithm>
 #include <cmath>
