@@ -14,8 +14,10 @@ function(obscura_tests name)
     add_dependencies(${program} obscura_program)
     target_compile_options(${program} PRIVATE -O1)
     if(OBSCURA_SANITIZE)
-        target_sources(${program} PRIVATE sanitizers.cpp)
+        target_sources(${program} PRIVATE support/sanitizers.cpp)
     endif()
+
+    obscura_unity(${program})
 
     set(suites)
     foreach(source IN LISTS test_UNPARSED_ARGUMENTS)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/reference/ray_scene.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
 
 namespace obscura::renderer {
 namespace {
@@ -182,11 +181,11 @@ RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
         if (skipped_ > 0) {
             // Nobody can see a triangle without area; coordinates that are no numbers are a
             // mistake.
-            spdlog::log(
-                broken_ > 0 ? spdlog::level::warn : spdlog::level::info,
-                "scene {}: of {} triangles {} without area and {} with coordinates that are "
-                "not finite are left out of ray tracing",
-                scene.name, scene.triangle_count(), skipped_ - broken_, broken_);
+            base::log::say(
+                broken_ > 0 ? base::log::Level::kWarning : base::log::Level::kInfo,
+                fmt::format("scene {}: of {} triangles {} without area and {} with coordinates "
+                            "that are not finite are left out of ray tracing",
+                            scene.name, scene.triangle_count(), skipped_ - broken_, broken_));
         }
         if (left == 0) {
             throw base::bad_input("scene {} has no surface that rays could meet", scene.name);

@@ -19,7 +19,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kHeader = "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
+const std::string kReportHeader =
+    "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
 
 Analysis of_published_votes() {
     return analyse(read_counts(OBSCURA_SOURCE_DIR "/analysis/data/jakobsen2010.csv"));
@@ -110,7 +111,7 @@ TEST(JsonReport, KeepsDoublesBitForBit) {
 
 TEST(JsonReport, SaysWhyAValueIsMissing) {
     const json report = json_of(analyse(parse_counts(
-        kHeader + "I,H1,low,A,B,0,0\nII,H1,high,A,B,0,9\nIII,,low,C,D,0,9\n", "votes.csv")));
+        kReportHeader + "I,H1,low,A,B,0,0\nII,H1,high,A,B,0,9\nIII,,low,C,D,0,9\n", "votes.csv")));
     const json& condition = report["conditions"][0];
     for (const char* name :
          {"chi_square", "df", "p_value", "p_exact", "p_holm", "p_bh", "share_b", "wilson_low",
@@ -141,8 +142,8 @@ TEST(TextReport, IsATableWithItsTestsInWords) {
 }
 
 TEST(TextReport, AlignsItsColumnsAlsoBesideLettersOfTwoBytes) {
-    std::istringstream lines(text_report(analyse(
-        parse_counts(kHeader + "Æble,H1,low,Åben,Ærø,18,18\nII,H1,low,A,B,14,22\n", "x.csv"))));
+    std::istringstream lines(text_report(analyse(parse_counts(
+        kReportHeader + "Æble,H1,low,Åben,Ærø,18,18\nII,H1,low,A,B,14,22\n", "x.csv"))));
     std::string line;
     std::vector<std::size_t> places;
     while (std::getline(lines, line)) {
@@ -163,8 +164,8 @@ TEST(TextReport, ShowsAPowerOfTenWhereDoublesEnd) {
     EXPECT_EQ(p_text({0.0, -436.0432}), "10^-436.04");
     EXPECT_EQ(p_text({0.0196307, -1.707}), "0.019631");
     EXPECT_EQ(p_text({2.910383e-11, -10.536}), "2.910e-11");
-    const std::string text =
-        text_report(analyse(parse_counts(kHeader + "I,H1,low,A,B,0,1000000000\n", "votes.csv")));
+    const std::string text = text_report(
+        analyse(parse_counts(kReportHeader + "I,H1,low,A,B,0,1000000000\n", "votes.csv")));
     EXPECT_THAT(text, AllOf(HasSubstr("10^-217147245.55"), HasSubstr("10^-301029995.36"),
                             HasSubstr("<1e-290")));
 }
@@ -220,7 +221,7 @@ TEST(Tally, CountsOnlyCompletedSessionsOfTheKind) {
     EXPECT_NEAR(report["order_bias"]["p_exact"].get<double>(), 0x1p-13, 1e-18);
 }
 
-std::string refusal_of(const Rows& rows, const std::string& study, Kind kind) {
+std::string refusal_of_report(const Rows& rows, const std::string& study, Kind kind) {
     try {
         (void)tally_trials("the store", rows.sessions, rows.trials, study, kind);
     } catch (const base::Error& error) {
@@ -232,9 +233,9 @@ std::string refusal_of(const Rows& rows, const std::string& study, Kind kind) {
 
 TEST(Tally, PointsToSimulatedSessionsWhereThereAreNoOthers) {
     Rows rows;
-    EXPECT_THAT(refusal_of(rows, "", Kind::kParticipant), HasSubstr("nothing to analyse"));
+    EXPECT_THAT(refusal_of_report(rows, "", Kind::kParticipant), HasSubstr("nothing to analyse"));
     rows.add(0, Kind::kSimulated, SessionState::kCompleted);
-    EXPECT_THAT(refusal_of(rows, "", Kind::kParticipant),
+    EXPECT_THAT(refusal_of_report(rows, "", Kind::kParticipant),
                 HasSubstr("1 of kind simulated: --kind simulated analyses those"));
 }
 
@@ -243,16 +244,16 @@ TEST(Tally, NeverMixesStudies) {
     rows.add(0, Kind::kParticipant, SessionState::kCompleted);
     rows.add(1, Kind::kParticipant, SessionState::kCompleted);
     rows.sessions.back().study = "another";
-    EXPECT_THAT(refusal_of(rows, "", Kind::kParticipant),
+    EXPECT_THAT(refusal_of_report(rows, "", Kind::kParticipant),
                 HasSubstr("--study must name one of: another, jakobsen2010"));
-    EXPECT_THAT(refusal_of(rows, "third", Kind::kParticipant),
+    EXPECT_THAT(refusal_of_report(rows, "third", Kind::kParticipant),
                 HasSubstr("--study third: the store has no completed session of it"));
     EXPECT_EQ(*tally_trials("s", rows.sessions, rows.trials, "another", Kind::kParticipant)
                    .n_participants,
               1);
     rows.sessions.back().study = "jakobsen2010";
     rows.trials.back().condition_B = "Crytek24";
-    EXPECT_THAT(refusal_of(rows, "", Kind::kParticipant), HasSubstr("cannot be added up"));
+    EXPECT_THAT(refusal_of_report(rows, "", Kind::kParticipant), HasSubstr("cannot be added up"));
 }
 
 TEST(Tally, OrdersConditionsByTheirNumbers) {
