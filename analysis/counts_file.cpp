@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "analysis/direction.h"
-#include "analysis/natural_order.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
-#include "analysis/text.h"
+#include "analysis/text/natural_order.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 

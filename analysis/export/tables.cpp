@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "analysis/export/events.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 namespace {

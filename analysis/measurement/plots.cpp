@@ -12,7 +12,7 @@
 #include <set>
 
 #include "analysis/measurement/pareto.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 namespace {

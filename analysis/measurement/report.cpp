@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/measurement/order_of_techniques.h"
-#include "analysis/report/html.h"
+#include "analysis/presentation/html.h"
 #include "analysis/table/csv.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/files.h"
 
 namespace obscura::analysis {

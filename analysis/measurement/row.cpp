@@ -11,7 +11,7 @@
 
 #include "analysis/measurement/pareto.h"
 #include "analysis/table/csv.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 namespace {

@@ -4,11 +4,13 @@
 
 #include <memory>
 
+#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/analysis.h"
-#include "analysis/report/published_study.h"
-#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "analysis/tally.h"
 #include "analysis/trials_file.h"

@@ -6,8 +6,9 @@
 #include <memory>
 
 #include "analysis/export/contents.h"
+#include "analysis/presentation/report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"

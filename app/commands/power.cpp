@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/report/text_layout.h"
+#include "analysis/presentation/text_layout.h"
 #include "app/commands/list.h"
 #include "renderer/base/check.h"
 

@@ -13,8 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "analysis/conclusions/analysis.h"
 #include "analysis/counts_file.h"
-#include "analysis/report/analysis.h"
+#include "analysis/presentation/json_report.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/report/measurement_table.h"
+#include "analysis/conclusions/measurement_table.h"
 
 #include <gmock/gmock.h>
 

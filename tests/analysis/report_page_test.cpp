@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
+#include "analysis/presentation/report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/published_study.h"
-#include "analysis/report/report.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/support/temporary_folder.h"

@@ -6,8 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/words.h"
 #include "analysis/counts_file.h"
-#include "analysis/report/analysis.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/text_report.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include "analysis/report/report.h"
+#include "analysis/presentation/report.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/support/temporary_folder.h"
