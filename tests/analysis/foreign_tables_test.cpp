@@ -34,10 +34,10 @@ std::string refusal_of_foreign(const std::string& bytes, const std::vector<std::
     return "accepted";
 }
 
-/// What a tally_of_foreign says, in one line.
-std::string words(const Tally& tally_of_foreign) {
-    std::string text = fmt::format("{} people", *tally_of_foreign.n_participants);
-    for (const ConditionVotes& condition : tally_of_foreign.conditions) {
+/// What a tally says, in one line.
+std::string words(const Tally& tally) {
+    std::string text = fmt::format("{} people", *tally.n_participants);
+    for (const ConditionVotes& condition : tally.conditions) {
         text += fmt::format("; {}: {} {}:{} {}", condition.id, condition.variant_a,
                             condition.votes.a, condition.votes.b, condition.variant_b);
         for (const Answer& answer : condition.answers) {
