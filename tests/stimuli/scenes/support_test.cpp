@@ -228,7 +228,10 @@ TEST(TextureMaker, NormalsLeanAwayFromTheSlope) {
     EXPECT_EQ(rough.roughness->rgba[2], 0);    // and no metal
 }
 
-TEST(TextureMaker, SrgbCodesSurviveTheRoundTrip) {
+TEST(TextureMaker, SrgbCodesAreThoseOfTheStandardAndSurviveTheRoundTrip) {
+    // IEC 61966-2-1: code / 255 / 12.92 up to .04045, ((code / 255 + .055) / 1.055)^2.4 above.
+    EXPECT_NEAR(linear_from_srgb(10).z, 0.003035270, 1e-7);
+    EXPECT_NEAR(linear_from_srgb(188).z, 0.502886458, 1e-6);
     for (std::uint32_t code = 0; code < 256; ++code) {
         EXPECT_EQ(encode_srgb(linear_from_srgb(code).z), code);
     }
