@@ -43,7 +43,8 @@ struct Preference {
 struct ConditionResult {
     ConditionVotes condition;  ///< without its answers, which Analysis::tally has
     Preference preference;
-    /// The chi-square p-value after Holm's correction over all conditions that have one.
+    /// The exact p-value after Holm's correction over all conditions; one without votes counts
+    /// as 1.
     Possible<double> p_holm = Possible<double>::none("no votes");
     /// The same after Benjamini and Hochberg's.
     Possible<double> p_bh = Possible<double>::none("no votes");
@@ -71,6 +72,7 @@ struct ShareInterval {
 struct HypothesisResult {
     std::string name;
     std::vector<std::string> conditions;
+    std::vector<std::string> secondary;  ///< conditions that name it and are no part of its test
     /// No value, with the reason, where "B" is not the same thing in each condition. There is then
     /// nothing pooled.
     Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
@@ -81,7 +83,7 @@ struct HypothesisResult {
     Possible<Interval> resampled = Possible<Interval>::none("not known");
     /// The interval to read, which the verdict rests on.
     Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
-    int significant = 0;       ///< conditions with p below the level
+    int significant = 0;       ///< conditions with an exact p below the level
     int significant_holm = 0;  ///< those still below it after Holm's correction
     std::string sentence;
 };
@@ -133,8 +135,9 @@ struct Comparison {
     std::vector<LevelDifference> differences;  ///< of every two levels with votes
 };
 
-/// The p-value to read: Cochran's Q over more than two rows and McNemar's test over two where the
-/// answers of each participant are known, the test of counts otherwise. It is 1 where every
+/// The p-value to read: Cochran's Q over more than two rows and McNemar's exact test over two where
+/// the answers of each participant are known; otherwise Fisher's exact test of two rows of counts,
+/// chi-square of more. It is 1 where every
 /// participant answered alike at every level.
 [[nodiscard]] Possible<PValue> p_of(const Comparison& comparison);
 

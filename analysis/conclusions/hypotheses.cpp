@@ -33,11 +33,15 @@ Preference nothing_pooled(const std::string& why) {
 
 std::string alone_words(const HypothesisResult& result, std::size_t tests) {
     return fmt::format(
-        "Alone {} of its {} {} significant at {:g}, after Holm's correction for {} {}.",
+        "Alone {} of its {} {} significant at {:g}, after Holm's correction for {} {}.{}",
         result.significant,
         counted(static_cast<std::int64_t>(result.conditions.size()), "condition"),
         result.significant == 1 ? "is" : "are", kSignificance,
-        counted(static_cast<std::int64_t>(tests), "test"), result.significant_holm);
+        counted(static_cast<std::int64_t>(tests), "test"), result.significant_holm,
+        result.secondary.empty()
+            ? ""
+            : fmt::format(" {} {} secondary and no part of it.", listed(result.secondary),
+                          result.secondary.size() == 1 ? "is" : "are"));
 }
 
 std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
@@ -64,14 +68,20 @@ Votes turned(const Votes& votes, bool is_turned) {
 }
 
 HypothesisResult tested(const std::string& name, const std::vector<const ConditionResult*>& own,
-                        std::size_t tests) {
+                        const std::vector<std::string>& secondary, std::size_t tests) {
     HypothesisResult result;
     result.name = name;
     std::vector<const ConditionVotes*> conditions;
     for (const ConditionResult* condition : own) {
+        const std::string& id = condition->condition.id;
+        if (own.size() > 1 &&
+            std::find(secondary.begin(), secondary.end(), id) != secondary.end()) {
+            result.secondary.push_back(id);
+            continue;
+        }
         conditions.push_back(&condition->condition);
         result.conditions.push_back(condition->condition.id);
-        if (is_significant(condition->preference.chi_square)) ++result.significant;
+        if (is_significant(condition->preference.exact)) ++result.significant;
         if (condition->p_holm.has_value() && *condition->p_holm < kSignificance) {
             ++result.significant_holm;
         }
@@ -109,11 +119,16 @@ Own conditions_of(std::vector<HypothesisResult>& hypotheses) {
     return own;
 }
 
+bool is_part_of(const HypothesisResult& result, const ConditionVotes& condition) {
+    const auto& ids = result.conditions;
+    return std::find(ids.begin(), ids.end(), condition.id) != ids.end();
+}
+
 /// Participants who answered any of the hypothesis's conditions.
 std::int64_t participants_of(const HypothesisResult& result, const Tally& tally) {
     std::vector<bool> answered(tally.participants.size());
     for (const ConditionVotes& condition : tally.conditions) {
-        if (condition.hypothesis != result.name) continue;
+        if (!is_part_of(result, condition)) continue;
         for (const Answer& answer : condition.answers) {
             answered[static_cast<std::size_t>(answer.participant)] = true;
         }
@@ -124,7 +139,7 @@ std::int64_t participants_of(const HypothesisResult& result, const Tally& tally)
 std::int64_t most_votes_of(const HypothesisResult& result, const Tally& tally) {
     std::int64_t most = 0;
     for (const ConditionVotes& condition : tally.conditions) {
-        if (condition.hypothesis == result.name) most = std::max(most, condition.votes.n());
+        if (is_part_of(result, condition)) most = std::max(most, condition.votes.n());
     }
     return most;
 }
@@ -148,9 +163,7 @@ ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
 
 }  // namespace
 
-bool is_significant(const Possible<ChiSquareTest>& test) {
-    return test.has_value() && test->p.p < kSignificance;
-}
+bool is_significant(const Possible<PValue>& p) { return p.has_value() && p->p < kSignificance; }
 
 Preference preference_of(const Votes& votes) {
     Preference preference;
@@ -168,16 +181,16 @@ Preference preference_of(const Votes& votes) {
     return preference;
 }
 
-std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
+std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions,
+                                              const std::vector<std::string>& secondary) {
     std::map<std::string, std::vector<const ConditionResult*>> by_name;
-    std::size_t tests = 0;
     for (const ConditionResult& result : conditions) {
-        if (result.p_holm.has_value()) ++tests;
         if (result.condition.hypothesis.empty()) continue;
         by_name[result.condition.hypothesis].push_back(&result);
     }
     std::vector<HypothesisResult> results;
-    for (const auto& [name, own] : by_name) results.push_back(tested(name, own, tests));
+    for (const auto& [name, own] : by_name)
+        results.push_back(tested(name, own, secondary, conditions.size()));
     return results;
 }
 
@@ -209,10 +222,7 @@ Possible<PValue> p_of(const HypothesisResult& result) {
     const bool is_of_participants =
         result.interval.has_value() && result.interval->kind != ShareIntervalKind::kCounts;
     if (is_of_participants) return PValue{};  // each of them chose both sides equally often
-    if (!result.pooled.chi_square.has_value()) {
-        return Possible<PValue>::none(result.pooled.chi_square.reason);
-    }
-    return result.pooled.chi_square->p;
+    return result.pooled.exact;
 }
 
 std::string test_words(const HypothesisResult& result) {
@@ -228,8 +238,8 @@ std::string test_words(const HypothesisResult& result) {
         return fmt::format("every participant chose both sides equally often, p {}", p_text(*p));
     }
     return fmt::format(
-        "chi-square {:.4g}, df 1, p {}, with votes of the same participants taken as independent",
-        result.pooled.chi_square->statistic, p_text(*p));
+        "exact binomial test p {}, with votes of the same participants taken as independent",
+        p_text(*p));
 }
 
 }  // namespace obscura::analysis

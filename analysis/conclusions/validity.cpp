@@ -208,13 +208,13 @@ std::string why_none(const Tally& tally) {
 }
 
 /// A name that no hypothesis of the study has.
-std::string name_of(const Tally& tally, bool is_built_in) {
+std::string name_of(const Tally& tally) {
     const auto is_free = [&](std::string_view name) {
         return std::none_of(
             tally.conditions.begin(), tally.conditions.end(),
             [&](const ConditionVotes& condition) { return condition.hypothesis == name; });
     };
-    std::string name = is_built_in && is_free("H3") ? "H3" : kValidityQuestion;
+    std::string name = is_built_in(tally) && is_free("H3") ? "H3" : kValidityQuestion;
     while (!is_free(name)) name = "the question about " + name;
     return name;
 }
@@ -235,12 +235,11 @@ std::string_view to_string(DifferenceKind kind) {
 
 Possible<ValidityResult> test_validity(const Tally& tally) {
     const bool is_published = is_published_votes(tally);
-    const bool is_built_in = is_published || tally.study == kPublishedStudy;
-    if (!is_built_in && !tally.asks_validity) {
+    if (!is_built_in(tally) && !tally.asks_validity) {
         return Possible<ValidityResult>::none("the study does not ask it");
     }
     ValidityResult result;
-    result.name = name_of(tally, is_built_in);
+    result.name = name_of(tally);
     const Families families(tally, true);
     for (const SamePair& family : families.at_several_levels()) {
         result.by_level.push_back(comparison_of(family, families));

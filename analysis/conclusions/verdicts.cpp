@@ -16,24 +16,26 @@
 namespace obscura::analysis {
 namespace {
 
-/// Tests of all verdicts, corrected together.
+/// Tests of all verdicts, corrected together. What it holds follows from the study and not from who
+/// answered: a test that could not be computed is one of them, with p = 1.
 class Family {
   public:
-    /// The place of the test in the family; nothing where there is no p-value.
-    std::optional<std::size_t> add(const Possible<PValue>& p) {
-        if (!p.has_value()) return std::nullopt;
-        p_values_.push_back(p->p);
+    /// The place of the test in the family.
+    std::size_t add(const Possible<PValue>& p) {
+        p_values_.push_back(p.has_value() ? p->p : 1.0);
+        is_computed_.push_back(p.has_value());
         return p_values_.size() - 1;
     }
     void correct() { corrected_ = holm(p_values_); }
     [[nodiscard]] std::size_t size() const { return p_values_.size(); }
-    [[nodiscard]] Possible<double> at(const std::optional<std::size_t>& place) const {
-        if (!place) return Possible<double>::none("no test");
-        return corrected_[*place];
+    [[nodiscard]] Possible<double> at(std::size_t place) const {
+        if (!is_computed_[place]) return Possible<double>::none("no test");
+        return corrected_[place];
     }
 
   private:
     std::vector<double> p_values_;
+    std::vector<bool> is_computed_;
     std::vector<double> corrected_;
 };
 
@@ -175,7 +177,7 @@ Verdict not_tested(const ValidityResult& validity, const std::string& why) {
 }
 
 Verdict verdict_on_validity(const ValidityResult& validity, const Family& family,
-                            const std::vector<std::optional<std::size_t>>& places) {
+                            const std::vector<std::size_t>& places) {
     const Widest widest = widest_of(validity);
     if (validity.by_level.empty()) return not_tested(validity, validity.no_comparison);
     if (widest.comparison == nullptr) {
@@ -240,10 +242,13 @@ std::string_view to_string(Conclusion conclusion) {
 std::string verdict_rule() {
     return fmt::format(
         "Verdicts: each hypothesis has one test of its pooled votes (by flipping the signs of the "
-        "participants' preferences where every answer is known, chi-square where only counts "
-        "are). Votes are pooled where B means the same in each condition. Where the study asks "
+        "participants' preferences where every answer is known, the exact binomial test where only "
+        "counts are). Votes are pooled where B means the same in each condition. Where the study "
+        "asks "
         "whether the preference depends on validity, that has one test for every two variants "
-        "shown in the same scene at several levels. Holm's correction is over all of these. "
+        "shown in the same scene at several levels, exact over two. Holm's correction is over all "
+        "of "
+        "these, whoever answered: a test that could not be computed counts as p = 1. "
         "Corrected p below {:g}: evidence for where B was chosen more often, against where A was; "
         "for validity, evidence for. Otherwise: too few participants to say where the 95 % "
         "interval holds a share of {:g} % or more of either image (validity: a difference of {:g} "
@@ -271,16 +276,17 @@ bool reaches_relevant_difference(const Interval& interval) {
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {
     Family family;
     std::vector<const HypothesisResult*> pooled;
-    std::vector<std::optional<std::size_t>> pooled_places;
+    std::vector<std::size_t> pooled_places;
     for (const HypothesisResult& result : analysis.hypotheses) {
         pooled.push_back(&result);
         pooled_places.push_back(family.add(p_of(result)));
     }
-    std::vector<std::optional<std::size_t>> level_places;
+    std::vector<std::size_t> level_places;
     if (analysis.validity.has_value()) {
         for (const Comparison& comparison : analysis.validity->by_level) {
             level_places.push_back(family.add(p_of(comparison)));
         }
+        if (level_places.empty()) (void)family.add(Possible<PValue>::none("nothing to compare"));
     }
     family.correct();
     std::vector<Verdict> verdicts;

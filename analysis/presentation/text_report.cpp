@@ -200,7 +200,7 @@ std::string text_report(const Analysis& analysis) {
     std::string words =
         "chi-sq, p: Pearson's chi-square test against an equal split, df 1, no continuity "
         "correction.\n"
-        "p exact: two-sided exact binomial test. p Holm: p after Holm's correction over all "
+        "p exact: two-sided exact binomial test. p Holm: p exact after Holm's correction over all "
         "conditions.\n"
         "95 % interval: Wilson's, of the share of B. g: Cohen's g, share of B minus one half.\n\n";
     text += wrapped(words) + belief_table(analysis) + '\n';

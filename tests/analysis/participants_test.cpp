@@ -130,16 +130,17 @@ TEST(Verdicts, OfThePublishedVotesSayThatTheyAreTooFew) {
         EXPECT_EQ(verdict.conclusion, Conclusion::kTooFew) << verdict.sentence;
         EXPECT_THAT(verdict.sentence, HasSubstr("too few participants to say"));
     }
-    EXPECT_THAT(analysis.verdicts[0].sentence, AllOf(HasSubstr("p 0.123658"), HasSubstr("380")));
+    EXPECT_THAT(analysis.verdicts[0].sentence,
+                AllOf(HasSubstr("exact binomial test p 0.148576"), HasSubstr("380")));
     EXPECT_THAT(
         analysis.verdicts[2].sentence,
-        AllOf(HasSubstr("in Sponza over moderate, high (III, VI): chi-square 2.829, df 1, p "
-                        "0.092565"),
-              HasSubstr("p 0.457710"), Not(HasSubstr("0.157894")),
+        AllOf(HasSubstr("in Sponza over moderate, high (III, VI): Fisher's exact p 0.148839, "
+                        "chi-square 2.829, df 1, p 0.092565"),
+              HasSubstr("p 0.621034"), Not(HasSubstr("0.157894")),
               HasSubstr("I, IV and VII have no partner")));
     EXPECT_EQ(analysis.verdicts[0].tests, 4U);
-    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .092565, 1e-5) << "the smallest of four";
-    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 3 * .1236577, 1e-5) << "the next";
+    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 4 * .1485763, 1e-5) << "the smallest of four";
+    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .1485763, 1e-5) << "the next, 3 * .148839";
     EXPECT_THAT(text_report(analysis), HasSubstr("Holm's correction for 7 tests: none."));
     EXPECT_EQ(analysis.power->n, 36);
     EXPECT_NEAR(analysis.power->shares[1].exact.power, .3563, 5e-5);
