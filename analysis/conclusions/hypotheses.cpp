@@ -13,6 +13,8 @@
 #include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/mean_test.h"
+#include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 namespace {
@@ -100,6 +102,7 @@ HypothesisResult tested(const std::string& name, const std::vector<const Conditi
         result.resampled = Possible<Interval>::none(result.pooling.reason);
         result.by_participant = Possible<SignFlipTest>::none(result.pooling.reason);
         result.interval = Possible<ShareInterval>::none(result.pooling.reason);
+        result.equality_interval = Possible<ShareInterval>::none(result.pooling.reason);
     }
     result.sentence = sentence_of(result, tests);
     return result;
@@ -161,6 +164,49 @@ ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
     return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
 }
 
+/// The share of B of each participant who answered any of the hypothesis's conditions.
+std::vector<double> own_shares(const HypothesisResult& result, const Tally& tally) {
+    std::vector<Votes> own(tally.participants.size());
+    for (const ConditionVotes& condition : tally.conditions) {
+        const auto place =
+            std::find(result.conditions.begin(), result.conditions.end(), condition.id);
+        if (place == result.conditions.end()) continue;
+        const bool is_turned =
+            result.pooling->turned[static_cast<std::size_t>(place - result.conditions.begin())];
+        for (const Answer& answer : condition.answers) {
+            Votes& votes = own[static_cast<std::size_t>(answer.participant)];
+            ++(answer.chose_b != is_turned ? votes.b : votes.a);
+        }
+    }
+    std::vector<double> shares;
+    for (const Votes& votes : own) {
+        if (votes.n() > 0) {
+            shares.push_back(static_cast<double>(votes.b) / static_cast<double>(votes.n()));
+        }
+    }
+    return shares;
+}
+
+/// By t of the participants' own shares; exact, each counted once, where nobody varies or few
+/// answered; from counts, as many votes as one condition has.
+ShareInterval equality_of(const HypothesisResult& result, const Tally& tally) {
+    const double share = *result.pooled.share_b;
+    if (tally.participants.empty()) {
+        const auto interval =
+            wilson_of_share(share, most_votes_of(result, tally), kEqualityConfidence);
+        return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
+    }
+    const std::vector<double> shares = own_shares(result, tally);
+    const auto n = static_cast<std::int64_t>(shares.size());
+    const auto test = mean_test(shares, kEqualityConfidence);
+    if (test.has_value() && n >= kFewestResampled) {
+        return {{std::max(0.0, test->interval.low), std::min(1.0, test->interval.high)},
+                ShareIntervalKind::kMeans};
+    }
+    const auto interval = clopper_pearson_of_share(share, n, kEqualityConfidence);
+    return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
+}
+
 }  // namespace
 
 bool is_significant(const Possible<PValue>& p) { return p.has_value() && p->p < kSignificance; }
@@ -213,7 +259,9 @@ void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& t
 
 void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
     for (HypothesisResult& result : hypotheses) {
-        if (result.pooled.votes.n() > 0) result.interval = interval_of(result, tally);
+        if (result.pooled.votes.n() == 0) continue;
+        result.interval = interval_of(result, tally);
+        result.equality_interval = equality_of(result, tally);
     }
 }
 

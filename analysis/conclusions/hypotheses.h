@@ -22,7 +22,8 @@ namespace obscura::analysis {
 /// Tests each by participants. The tally knows who voted.
 void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
 
-/// Fills HypothesisResult::interval; needs the resampled one where there is one.
+/// Fills HypothesisResult::interval and equality_interval; needs the resampled one where there is
+/// one.
 void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
 
 /// The p-value that a verdict on the hypothesis rests on: of participants where they are known (1

@@ -101,10 +101,12 @@ std::vector<LevelDifference> differences_of(const Comparison& comparison, const 
                 at_levels(family, comparison.levels[from], comparison.levels[to]));
             if (same.has_value()) {
                 const auto interval = paired_difference(same->changed, same->n, kConfidence);
+                const auto equality =
+                    paired_difference(same->changed, same->n, kEqualityConfidence);
                 const auto n = static_cast<double>(same->n);
                 differences.push_back({from, to,
                                        static_cast<double>(same->changed.b - same->changed.a) / n,
-                                       *interval, DifferenceKind::kPaired});
+                                       *interval, *equality, DifferenceKind::kPaired});
                 continue;
             }
             const Votes& one = comparison.votes[from];
@@ -114,7 +116,9 @@ std::vector<LevelDifference> differences_of(const Comparison& comparison, const 
             const double difference =
                 static_cast<double>(other.b) / static_cast<double>(other.n()) -
                 static_cast<double>(one.b) / static_cast<double>(one.n());
-            differences.push_back({from, to, difference, *interval, DifferenceKind::kCounts});
+            differences.push_back({from, to, difference, *interval,
+                                   *share_difference(one, other, kEqualityConfidence),
+                                   DifferenceKind::kCounts});
         }
     }
     return differences;

@@ -16,8 +16,7 @@ namespace {
 
 /// The verdict's sentence without the words that stand above it on the page.
 std::string sentence_of(const Verdict& verdict) {
-    const std::string said =
-        fmt::format("{}: {}. ", verdict.hypothesis, to_string(verdict.conclusion));
+    const std::string said = fmt::format("{}: {}. ", verdict.hypothesis, verdict_words(verdict));
     return verdict.sentence.starts_with(said) ? verdict.sentence.substr(said.size())
                                               : verdict.sentence;
 }
@@ -102,8 +101,7 @@ void add_answers(ReportDraft& draft) {
     draft.page.heading("In short");
     draft.page.paragraph(overall_words(analysis));
     for (const Verdict& verdict : analysis.verdicts) {
-        draft.page.answer(question_of(verdict, knows_hypotheses),
-                          capital(std::string(to_string(verdict.conclusion))),
+        draft.page.answer(question_of(verdict, knows_hypotheses), capital(verdict_words(verdict)),
                           capital(sentence_of(verdict)));
     }
     draft.page.fine_print("The rule behind the verdicts. " + verdict_rule());
