@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/order.h"
 #include "analysis/conclusions/participants.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/conclusions/resampled.h"
@@ -82,6 +83,9 @@ void analyse_participants(Analysis& analysis, std::uint64_t seed) {
     const Tally& tally = analysis.tally;
     const VotesByParticipant votes(tally);
     test_participants(analysis.hypotheses, tally);
+    if (analysis.order_bias.has_value()) {
+        analysis.order_bias.value->by_participant = order_by_participant(votes);
+    }
     analysis.attention = attention_of(tally, votes);
     analysis.response_times = response_times(tally, votes);
     analysis.learning = learning_of(tally, votes);
@@ -102,6 +106,7 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
     const Possible<OrderVotes>& order = analysis.tally.order;
     if (order.has_value()) {
         analysis.order_bias = OrderBias{*order, exact_binomial(order->second_chosen, order->n),
+                                        Possible<OrderByParticipant>::none("not known"),
                                         order_bias(order_strata(analysis.tally))};
     } else {
         analysis.order_bias = Possible<OrderBias>::none(order.reason);

@@ -170,9 +170,29 @@ inline constexpr const char* kValidityQuestion = "validity";
 /// Conditions with the same variants beyond which they are not compared two by two.
 inline constexpr std::size_t kMostPairedConditions = 20;
 
+/// How the order of showing was tested over participants, whose answers hang together.
+enum class OrderTestKind {
+    kSideGroups,  ///< side is constant for each: those who saw B second against those who saw it
+                  ///< first
+    kSignFlip     ///< it varies for each: votes for the second image less those for the first
+};
+
+struct OrderByParticipant {
+    OrderTestKind kind = OrderTestKind::kSignFlip;
+    std::int64_t participants = 0;
+    std::int64_t left_out = 0;  ///< who did not answer as many conditions as the others
+    PValue p;
+    bool is_exact = true;
+    /// By how much more often the second image is chosen than the first, -1 to 1.
+    double difference = 0.0;
+    Possible<Interval> interval = Possible<Interval>::none("too few participants");  ///< 95 %, by t
+};
+
 struct OrderBias {
     OrderVotes votes;
+    /// As if every answer were independent, which they are not: the test to read is by_participant.
     Possible<PValue> exact = Possible<PValue>::none("no votes");
+    Possible<OrderByParticipant> by_participant = Possible<OrderByParticipant>::none("not known");
     /// With a term for each condition, so that unbalanced orders do no harm.
     Possible<OrderBiasTest> logistic = Possible<OrderBiasTest>::none("not counted");
 };

@@ -229,6 +229,19 @@ void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
     } else {
         put_none(entry, "logistic", bias->logistic.reason);
     }
+    if (bias->by_participant.has_value()) {
+        const OrderByParticipant& order = *bias->by_participant;
+        Json& own = entry["by_participant"];
+        own["test"] = order.kind == OrderTestKind::kSideGroups ? "side_groups" : "sign_flip";
+        own["n_participants"] = order.participants;
+        own["left_out"] = order.left_out;
+        own["is_exact"] = order.is_exact;
+        put_p(own, "p", Possible<PValue>(order.p));
+        own["difference"] = order.difference;
+        put_interval(own, "difference", order.interval);
+    } else {
+        put_none(entry, "by_participant", bias->by_participant.reason);
+    }
     object["order_bias"] = entry;
 }
 

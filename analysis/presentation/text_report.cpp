@@ -111,14 +111,15 @@ std::string order_bias_line(const Analysis& analysis) {
     }
     const OrderBias& bias = *analysis.order_bias;
     std::string text =
-        fmt::format("Order bias: the image shown second was chosen {} of {} times, exact p {}.",
-                    bias.votes.second_chosen, bias.votes.n, p_value(bias.exact));
+        fmt::format("Order bias: the image shown second was chosen {} of {} times. {}",
+                    bias.votes.second_chosen, bias.votes.n, order_words(bias.by_participant));
     if (!bias.logistic.has_value()) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
     const OrderBiasTest& test = *bias.logistic;
     return text + fmt::format(
-                      " Logistic regression over {}: of two equally liked images the second is "
+                      " Logistic regression over {}, which takes every answer as independent: of "
+                      "two equally liked images the second is "
                       "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
                       "likelihood "
                       "ratio {:.4f}, df 1, p {}.\n",

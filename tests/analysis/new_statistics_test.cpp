@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/fisher_exact.h"
+#include "analysis/statistics/group_permutation.h"
 #include "analysis/statistics/hard_cases.h"
 #include "analysis/statistics/mean_test.h"
 #include "analysis/statistics/preference_curve.h"
@@ -234,6 +236,39 @@ TEST(MeanTest, SaysPracticallyEqualFalselyInAtMostOneOfTwenty) {
         EXPECT_NEAR(equal_in(known.participants, .65, seed), known.falsely, .010);
         EXPECT_NEAR(equal_in(known.participants, .50, seed), known.rightly, .018);
     }
+}
+
+TEST(GroupPermutation, IsTheShareOfAllWaysToPartThem) {
+    // Sums of two of 3, 5, 1, 2: 8, 4, 5, 6, 7, 3, expected 5.5; 8 and 3 are as far from it as 8.
+    EXPECT_NEAR(group_permutation({3, 5}, {1, 2})->p.p, 2.0 / 6.0, 1e-12);
+    EXPECT_NEAR(group_permutation({1, 2}, {3, 5})->p.p, 2.0 / 6.0, 1e-12);
+    // 0 and 1 only: Fisher's exact test of 8:2 against 1:9 has the same parting.
+    std::vector<std::int64_t> one(10, 0);
+    std::vector<std::int64_t> other(10, 0);
+    std::fill_n(one.begin(), 8, 1);
+    std::fill_n(other.begin(), 1, 1);
+    EXPECT_NEAR(group_permutation(one, other)->p.p, fisher_exact({2, 8}, {9, 1})->p, 1e-12);
+    EXPECT_EQ(group_permutation({}, {1, 2}).reason, "one of the groups is empty");
+    EXPECT_EQ(group_permutation({2, 2}, {2}).reason, "all participants gave the same");
+    EXPECT_THROW((void)group_permutation({-1}, {2}), base::Error);
+}
+
+TEST(GroupPermutation, IsNearlyTheSameByTheNormalApproximation) {
+    base::Random random(5);
+    std::vector<std::int64_t> one;
+    std::vector<std::int64_t> other;
+    for (int i = 0; i < 60; ++i) {
+        one.push_back(static_cast<std::int64_t>(random.uniform(0.0, 8.0)));
+        other.push_back(static_cast<std::int64_t>(random.uniform(0.0, 7.0)));
+    }
+    const auto exact = group_permutation(one, other);
+    ASSERT_TRUE(exact->is_exact);
+    for (auto* group : {&one, &other}) {
+        for (std::int64_t& number : *group) number *= 1000;
+    }
+    const auto nearly = group_permutation(one, other);
+    EXPECT_FALSE(nearly->is_exact);
+    EXPECT_NEAR(nearly->p.p, exact->p.p, .04);  // sums of the exact one go in steps
 }
 
 }  // namespace
