@@ -170,7 +170,7 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     const Variant choice = variant_from(options.variant);
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
-    for (const std::string& note : source.notes) spdlog::warn("{}: {}", source.source, note);
+    for (const std::string& note : source.notes) base::log::warn("{}: {}", source.source, note);
     const std::string camera = source.camera_for(options.camera);
     const stimuli::Validity validity = source.level_for(options.validity);
     const renderer::Scene scene = source.build();
@@ -188,8 +188,9 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
         image.channels = {{"ao.Y", rendered(wanted, globals)}};
     }
     base::write_file_atomically(options.out, renderer::encode_exr(image));
-    spdlog::info("{}: accessibility by {} of scene {} from camera {}, {}x{}", options.out,
-                 choice.variant_name(), source.id, wanted.camera.name, image.width, image.height);
+    base::log::info("{}: accessibility by {} of scene {} from camera {}, {}x{}", options.out,
+                    choice.variant_name(), source.id, wanted.camera.name, image.width,
+                    image.height);
     return base::ExitCode::kDone;
 }
 

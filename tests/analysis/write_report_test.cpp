@@ -5,7 +5,7 @@
 #include "analysis/presentation/report.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
