@@ -135,7 +135,8 @@ TEST(JsonReport, SaysWhyAValueIsMissing) {
 
 TEST(JsonReport, CorrectsForEveryTestOfTheStudyWhoeverAnswered) {
     const Analysis analysis = analyse(parse_counts(
-        kHeader + "I,H1,low,A,B,11,25\nII,H2,low,A,B,0,0\nIII,H3,low,A,B,18,18\n", "votes.csv"));
+        kReportHeader + "I,H1,low,A,B,11,25\nII,H2,low,A,B,0,0\nIII,H3,low,A,B,18,18\n",
+        "votes.csv"));
     const double p = exact_binomial(25, 36)->p;
     EXPECT_NEAR(*analysis.conditions[0].p_holm, 3.0 * p, 1e-15);
     ASSERT_EQ(analysis.verdicts.size(), 3U);
@@ -152,8 +153,8 @@ TEST(JsonReport, LeavesTheSecondaryConditionOfTheBuiltInStudyOutOfItsHypothesis)
     EXPECT_EQ(h2.secondary, std::vector<std::string>{"IV"});
     EXPECT_EQ(h2.pooled.votes.a, 47);
     EXPECT_THAT(h2.sentence, HasSubstr("IV is secondary and no part of it."));
-    const Analysis other =
-        analyse(parse_counts(kHeader + "III,H2,low,A,B,11,25\nIV,H2,low,A,B,16,20\n", "votes.csv"));
+    const Analysis other = analyse(
+        parse_counts(kReportHeader + "III,H2,low,A,B,11,25\nIV,H2,low,A,B,16,20\n", "votes.csv"));
     EXPECT_EQ(other.hypotheses.at(0).conditions, (std::vector<std::string>{"III", "IV"}));
 }
 
