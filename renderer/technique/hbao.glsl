@@ -27,7 +27,8 @@ float accessibility(vec2 uv, float z) {
     for (int i = 0; i < DIRECTIONS; ++i) {
         vec2 by = kDirectionTurns[i];
         Slice s = slice_of(p, vec2(turn.x * by.x - turn.y * by.y, turn.x * by.y + turn.y * by.x));
-        float horizon = s.cosine * p_bias - s.sine * bias_cosine;
+        // No higher than the ray to the camera.
+        float horizon = -s.sine < bias_cosine ? s.cosine * p_bias - s.sine * bias_cosine : 1.0;
         for (int j = 0; j < kSteps; ++j) {
             Sample q = sample_at(p, s, distance_of(j, turn.z, radius_px, p_step_spread));
             if (!q.seen) continue;

@@ -65,7 +65,10 @@ class HbaoModel {
     [[nodiscard]] Rounded occluded_along(const SliceSurface& p, const SlicePlane& s,
                                          const Turn& turn) const {
         const Rounded radius_px = radius_m_ / (p.z * p.pixel);
-        State state{s.cosine * bias_ - s.sine * bias_cosine_, Rounded(0.0)};
+        const Rounded raised = s.cosine * bias_ - s.sine * bias_cosine_;
+        // No higher than the ray to the camera; there both are 1 but for rounding.
+        const bool below = -s.sine.value < bias_cosine_.value;
+        State state{below ? raised : Rounded(1.0, raised.error), Rounded(0.0)};
         for (int i = 0; i < kSliceSteps; ++i) {
             const SliceSamples seen =
                 march_.samples(p, s, slice_distance_px(i, turn, radius_px, spread_));
