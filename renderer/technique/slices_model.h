@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/seen_buffers.h"
 #include "renderer/technique/slices.h"
 
 namespace obscura::renderer {
