@@ -65,6 +65,10 @@ class SeenView {
     [[nodiscard]] SeenDepths depths_at(const ImagePoint& place) const;
     [[nodiscard]] SeenDepths depths_at_px(const ImagePoint& place_px) const;
     [[nodiscard]] Rounded3 normal(int x, int y) const;
+    /// View y per metre of depth and pixel.
+    [[nodiscard]] Rounded pixel() const {
+        return Rounded(2.0) * scale_y_ / Rounded(buffers_.height);
+    }
 
   private:
     const SeenBuffers& buffers_;

@@ -141,6 +141,42 @@ std::vector<Fault> all_faults() {
     add("crytek", "ComparedWithItsOwnDepth", crytek, "ds > point.z", "ds > d");
     add("crytek", "InvalidIsLessThanHalf", crytek, "0.5, clamp", "0.45, clamp");
     add("crytek", "RotationTransposed", crytek, "rotation * point", "point * rotation");
+    const std::string slices = "technique/slices.glsl";
+    for (const std::string technique : {"hbao", "gtao", "bitmask"}) {
+        const std::string own = "technique/" + technique + ".glsl";
+        const auto add_to = [&](const char* name, const std::string& file, const char* right,
+                                const char* wrong) {
+            faults.push_back({technique + '_' + name, technique, file, right, wrong});
+        };
+        add_to("RadiusOnePercentOff", own, "p_radius_m * p_reach", "1.01 * p_radius_m * p_reach");
+        add_to("DroppedStep", own, "< kSteps", "< kSteps - 1");
+        add_to("PowerOnePercentOff", own, "1.0e-9), p_power", "1.0e-9), 1.01 * p_power");
+        add_to("NormalDecodedOneCodeOff", "passes/normal_codec.glsl", "255.0 - 128.0",
+               "255.0 - 127.0");
+        add_to("RayHalfAPixelOff", "passes/accessibility.glsl", "gl_FragCoord.xy / u_size",
+               "(gl_FragCoord.xy - 0.5) / u_size");
+        add_to("RayWithoutLensShift", "passes/view.glsl", "u_ray_scale + u_ray_offset",
+               "u_ray_scale");
+        add_to("SlopeIgnored", slices, "clamp(z * dot", "0.0 * clamp(z * dot");
+        add_to("DepthOneTexelOff", slices, "ivec2 texel = ivec2(px)",
+               "ivec2 texel = min(ivec2(px) + ivec2(1, 0), ivec2(u_size) - 1)");
+        add_to("SamplesLieOtherwise", slices, "1.0 + radius_px", "1.5 + radius_px");
+        add_to("JitterIgnored", slices, "float(i) + jitter", "float(i) + 0.5");
+        add_to("DirectionTurnedTheOtherWay", own, "turn.x * by.x - turn.y",
+               "turn.x * by.x + turn.y");
+    }
+    add("hbao", "BiasIgnored", "technique/hbao.glsl", "s.cosine * p_bias", "0.0");
+    add("hbao", "NoAttenuation", "technique/hbao.glsl", "weight * max", "max");
+    add("hbao", "StrengthOnePercentOff", "technique/hbao.glsl", "p_strength *",
+        "1.01 * p_strength *");
+    add("gtao", "FalloffIgnored", "technique/gtao.glsl", "radius_m * p_falloff", "radius_m * 0.1");
+    add("gtao", "OneSideTwice", "technique/gtao.glsl", "p, s, -1.0", "p, s, 1.0");
+    add("gtao", "ArcWithoutTilt", slices.c_str(), "+ across *", "+ 0.9 * across *");
+    add("bitmask", "ThicknessOnePercentOff", "technique/bitmask.glsl", "* p_thickness",
+        "* 1.01 * p_thickness");
+    add("bitmask", "CutOffIgnored", "technique/bitmask.glsl", "farthest_m * farthest_m", "1.0e30");
+    add("bitmask", "OneSectorTooMany", "technique/bitmask.glsl", "lowest(uint(ends.y))",
+        "lowest(uint(ends.y) + 1u)");
     const char* const box = "denoise/box4.glsl";
     add("blizzard", "Box4OneTexelOff", box, "- kTileSize / 2;", "- kTileSize / 2 + 1;");
     add("blizzard", "Box4DroppedRow", box, "y < kTileSize;", "y < kTileSize - 1;");
