@@ -17,14 +17,15 @@ namespace {
 using tests::choice_of;
 using tests::forward_camera;
 
-constexpr int kViewSize = 128;
+constexpr int kSlicePixels = 128;
 
 class SliceTechniques : public testing::TestWithParam<std::string> {
   protected:
     Frame render(const Scene& scene, const Variant& choice) {
         const Lighting lighting;
         const GpuScene gpu(scene);
-        return renderer_.render({gpu, lighting, forward_camera()}, choice, kViewSize, kViewSize);
+        return renderer_.render({gpu, lighting, forward_camera()}, choice, kSlicePixels,
+                                kSlicePixels);
     }
 
     std::vector<float> accessibility(const Scene& scene, const Variant& choice) {
@@ -58,13 +59,13 @@ Scene corner() {
 std::vector<std::pair<double, double>> profile(const std::vector<float>& open) {
     const double half_m = 6.0 * std::tan(std::numbers::pi / 6.0);
     std::vector<std::pair<double, double>> means;
-    for (int column = 0; column + 4 <= kViewSize; column += 4) {
-        const double from_corner_m = (2.0 * (column + 2) / kViewSize - 1.0) * half_m + 1.0;
+    for (int column = 0; column + 4 <= kSlicePixels; column += 4) {
+        const double from_corner_m = (2.0 * (column + 2) / kSlicePixels - 1.0) * half_m + 1.0;
         if (from_corner_m < 0.1) continue;
         double sum = 0.0;
         for (int y = 48; y < 80; ++y) {
             for (int x = column; x < column + 4; ++x) {
-                sum += open[static_cast<std::size_t>(y) * kViewSize + x];
+                sum += open[static_cast<std::size_t>(y) * kSlicePixels + x];
             }
         }
         means.emplace_back(from_corner_m, sum / (4.0 * 32.0));
