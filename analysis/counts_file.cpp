@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "analysis/direction.h"
-#include "analysis/natural_order.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
-#include "analysis/text.h"
+#include "analysis/text/natural_order.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
@@ -203,7 +203,7 @@ class Reader {
 
     const std::string& name_;
     const ColumnMap& map_;
-    Table file_;
+    ForeignTable file_;
     FileProblems problems_;
     NumberReader numbers_;
     std::optional<Columns> columns_;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/natural_order.h"
+#include "analysis/text/natural_order.h"
 
 namespace obscura::analysis {
 namespace {

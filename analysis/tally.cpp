@@ -11,7 +11,7 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "analysis/natural_order.h"
+#include "analysis/text/natural_order.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -266,12 +266,13 @@ class Counter {
     /// Whether each repeated answer is that of the trial in the same session that it repeats.
     void compare_repeats() {
         if (repeated_.empty()) return;
-        using Key = std::pair<std::uint32_t, std::uint32_t>;  // session, id of the condition
-        std::map<Key, const AnswerEntry*> first;
+        using SessionAndCondition = std::pair<std::uint32_t, std::uint32_t>;
+        std::map<SessionAndCondition, const AnswerEntry*> first;
         for (const AnswerEntry& answer : table_.answers) {
             const std::uint32_t id = table_.conditions[answer.condition].id;
             if (!is_vote(answer) || !repeated_.contains(id)) continue;
-            const auto [known, is_new] = first.emplace(Key{answer.session, id}, &answer);
+            const auto [known, is_new] =
+                first.emplace(SessionAndCondition{answer.session, id}, &answer);
             if (!is_new && is_earlier(answer, *known->second)) known->second = &answer;
         }
         for (const AnswerEntry& answer : table_.answers) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/export/tables.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "analysis/table/problems.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 

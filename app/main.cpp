@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kBadInput);
     }
-    obscura::base::set_up_log(globals.quiet);
+    obscura::base::log::set_up(globals.quiet);
     obscura::stimuli::allow_folders(globals.allowed);
     const ExitCode code = chosen();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -256,7 +256,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         const renderer::Frame frame = renderer.render_next(stimulus);
         RgbImage image = image_of(frame);
         if (is_of_one_colour(image)) {
-            spdlog::warn("warning: {}: the whole image has one colour", stimulus.file());
+            base::log::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
         const std::string bytes = encode_png(image);
         ManifestImage entry = renderer.describe(stimulus, frame);

@@ -1,9 +1,9 @@
 # obscura_tests(NAME source... LIBRARIES target...): one program of many test suites, labelled NAME
 # (unit, gpu, kiosk or store). ctest runs a suite at a time: starting the program costs more than
 # most tests do. Another test holds the suites that ctest knows against those of the program, so
-# that none is left out.
+# that none is left out. With ONE_BY_ONE its sources never share a unit.
 function(obscura_tests name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 test "ONE_BY_ONE" "" "LIBRARIES")
     set(program tests_${name})
     add_executable(${program} ${test_UNPARSED_ARGUMENTS})
     target_link_libraries(${program} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
@@ -14,7 +14,11 @@ function(obscura_tests name)
     add_dependencies(${program} obscura_program)
     target_compile_options(${program} PRIVATE -O1)
     if(OBSCURA_SANITIZE)
-        target_sources(${program} PRIVATE sanitizers.cpp)
+        target_sources(${program} PRIVATE support/sanitizers.cpp)
+    endif()
+
+    if(NOT test_ONE_BY_ONE)
+        obscura_unity(${program})
     endif()
 
     set(suites)

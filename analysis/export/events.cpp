@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 
 namespace obscura::analysis {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "analysis/measurement/plots.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/table/csv.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

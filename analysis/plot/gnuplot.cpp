@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/plot/child_process.h"
-#include "analysis/report/html.h"
+#include "analysis/text/text.h"
 #include "renderer/base/files.h"
 
 namespace obscura::analysis {

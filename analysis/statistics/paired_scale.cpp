@@ -4,14 +4,10 @@
 
 #include <fmt/ranges.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/normal.hpp>
-// uBLAS's own checks use what C++20 took out of std::allocator.
-#define BOOST_UBLAS_NDEBUG
-#include <boost/numeric/ublas/lu.hpp>
-#include <boost/numeric/ublas/matrix.hpp>
-#include <boost/numeric/ublas/vector.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -20,10 +16,8 @@
 namespace obscura::analysis {
 namespace {
 
-namespace ublas = boost::numeric::ublas;
-// Their default storage calls allocator members that C++20 took away.
-using Matrix = ublas::matrix<double, ublas::row_major, std::vector<double>>;
-using Vector = ublas::vector<double, std::vector<double>>;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// Log probability and its slope for a difference, and Fisher's information of one vote.
 struct LinkPoint {
@@ -65,7 +59,7 @@ class Model {
         return thing < options_.reference ? thing : thing - 1;
     }
 
-    [[nodiscard]] double log_likelihood(const Vector& at) const {
+    [[nodiscard]] double log_likelihood(const VectorXd& at) const {
         double sum = 0.0;
         for (const PairVotes& pair : pairs_) {
             const LinkPoint point = point_of(pair, at);
@@ -75,9 +69,10 @@ class Model {
         return sum;
     }
 
-    void derivatives(const Vector& at, Vector& gradient, Matrix& information) const {
-        gradient = ublas::zero_vector<double>(size());
-        information = ublas::zero_matrix<double>(size(), size());
+    void derivatives(const VectorXd& at, VectorXd& gradient, MatrixXd& information) const {
+        const auto n = static_cast<Eigen::Index>(size());
+        gradient = VectorXd::Zero(n);
+        information = MatrixXd::Zero(n, n);
         for (const PairVotes& pair : pairs_) {
             const LinkPoint point = point_of(pair, at);
             double slope = 0.0;
@@ -103,7 +98,7 @@ class Model {
   private:
     static double count(std::int64_t votes) { return static_cast<double>(votes); }
 
-    [[nodiscard]] LinkPoint point_of(const PairVotes& pair, const Vector& at) const {
+    [[nodiscard]] LinkPoint point_of(const PairVotes& pair, const VectorXd& at) const {
         const auto value = [&](std::size_t thing) {
             return thing == options_.reference ? 0.0 : at(place(thing));
         };
@@ -119,12 +114,11 @@ class Model {
 };
 
 /// The inverse of a symmetric positive definite matrix; false when it is singular.
-bool invert(Matrix matrix, Matrix& inverse) {
-    if (ublas::lu_factorize(matrix) != 0) return false;
-    inverse = ublas::identity_matrix<double>(matrix.size1());
-    ublas::lu_substitute(static_cast<const Matrix&>(matrix), inverse);
-    return std::all_of(inverse.data().begin(), inverse.data().end(),
-                       [](double value) { return std::isfinite(value); });
+bool invert(const MatrixXd& matrix, MatrixXd& inverse) {
+    const Eigen::LLT<MatrixXd> factors(matrix);
+    if (factors.info() != Eigen::Success) return false;
+    inverse = factors.solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    return inverse.allFinite();
 }
 
 /// Things that can be reached from the first by going from one to those it was chosen over, or
@@ -204,8 +198,8 @@ void check_pairs(std::size_t count, const std::vector<PairVotes>& pairs,
     }
 }
 
-Scale scale_at(const Model& model, const Vector& at, const Matrix& covariance, std::size_t things,
-               const ScaleOptions& options) {
+Scale scale_at(const Model& model, const VectorXd& at, const MatrixXd& covariance,
+               std::size_t things, const ScaleOptions& options) {
     Scale scale;
     scale.log_likelihood = model.log_likelihood(at);
     for (std::size_t thing = 0; thing < things; ++thing) {
@@ -251,23 +245,23 @@ Possible<Scale> fit_scale(const std::vector<std::string>& things,
         return Possible<Scale>::none(why);
     }
     const Model model(things.size(), pairs, options);
-    Vector at = ublas::zero_vector<double>(model.size());
-    Vector gradient;
-    Matrix information;
-    Matrix covariance;
+    VectorXd at = VectorXd::Zero(static_cast<Eigen::Index>(model.size()));
+    VectorXd gradient;
+    MatrixXd information;
+    MatrixXd covariance;
     double likelihood = model.log_likelihood(at);
     constexpr int kMostSteps = 500;
     constexpr double kSmallStep = 1e-10;
     for (int i = 0; i < kMostSteps; ++i) {
         model.derivatives(at, gradient, information);
         if (!invert(information, covariance)) break;
-        const Vector step = ublas::prod(covariance, gradient);
-        if (ublas::norm_inf(step) < kSmallStep) {
+        const VectorXd step = covariance * gradient;
+        if (step.lpNorm<Eigen::Infinity>() < kSmallStep) {
             return scale_at(model, at, covariance, things.size(), options);
         }
         // The likelihood is concave: halving the step always finds a better point.
         double part = 1.0;
-        Vector tried = at + step;
+        VectorXd tried = at + step;
         double better = model.log_likelihood(tried);
         const double slack = 1e-12 * std::abs(likelihood);
         while (!(better >= likelihood - slack) && part > 1e-9) {

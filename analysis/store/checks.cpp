@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/check.h"
 
 namespace obscura::analysis {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "analysis/table/values.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

@@ -8,7 +8,7 @@
 #include <deque>
 #include <utility>
 
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

@@ -4,7 +4,7 @@
 
 #include <fmt/ranges.h>
 
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {

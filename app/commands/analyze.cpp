@@ -4,11 +4,13 @@
 
 #include <memory>
 
+#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/analysis.h"
-#include "analysis/report/published_study.h"
-#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "analysis/tally.h"
 #include "analysis/trials_file.h"
@@ -21,7 +23,7 @@
 namespace obscura::app {
 namespace {
 
-struct Options {
+struct AnalyzeOptions {
     std::string db;  ///< empty: the data folder's
     std::string counts;
     std::string trials;
@@ -43,7 +45,7 @@ struct Answers {
         analysis::Possible<analysis::Attendance>::none("only votes are known");
 };
 
-Answers answers_of_store(const std::string& url, const Options& options) {
+Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     const auto kind = analysis::kind_from(options.kind);
     Answers answers;
@@ -57,7 +59,7 @@ Answers answers_of_store(const std::string& url, const Options& options) {
     return answers;
 }
 
-Answers answers_of(const Options& options, const Globals& globals) {
+Answers answers_of(const AnalyzeOptions& options, const Globals& globals) {
     if (options.published) return {analysis::published_votes()};
     const analysis::ColumnMap map(options.map);
     if (!options.map.empty() && options.counts.empty() && options.trials.empty()) {
@@ -75,7 +77,8 @@ Answers answers_of(const Options& options, const Globals& globals) {
 }
 
 /// The study that the answers are to, where its file is known.
-std::optional<stimuli::Study> study_of(const Options& options, const analysis::Tally& tally) {
+std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
+                                       const analysis::Tally& tally) {
     if (options.study_file.empty()) {
         return builtin_study(is_published_votes(tally) ? analysis::kPublishedStudy : tally.study);
     }
@@ -88,7 +91,7 @@ std::optional<stimuli::Study> study_of(const Options& options, const analysis::T
 }
 
 void write_report(analysis::Analysis result, Answers answers,
-                  const std::optional<stimuli::Study>& study, const Options& options,
+                  const std::optional<stimuli::Study>& study, const AnalyzeOptions& options,
                   const Globals& globals) {
     analysis::ReportInput input;
     input.analysis = std::move(result);
@@ -99,11 +102,11 @@ void write_report(analysis::Analysis result, Answers answers,
     fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
 }
 
-base::ExitCode analyze(const Options& options, const Globals& globals) {
+base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
     Answers answers = answers_of(options, globals);
     for (const std::string& note : answers.tally.notes) {
-        spdlog::warn("{}: {}", answers.tally.source, note);
+        base::log::warn("{}: {}", answers.tally.source, note);
     }
     answers.tally.asks_validity = options.validity;
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
@@ -118,7 +121,7 @@ base::ExitCode analyze(const Options& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-void attach_sources(CLI::App& app, Options& options) {
+void attach_sources(CLI::App& app, AnalyzeOptions& options) {
     auto* db = app.add_option("--db", options.db,
                               "Response store, sqlite3://FILE or postgresql://... "
                               "[sqlite3://DATA/responses.sqlite]");
@@ -155,8 +158,8 @@ void attach_sources(CLI::App& app, Options& options) {
     trials->excludes(db);
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
-    auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& globals) {
+    auto options = std::make_shared<AnalyzeOptions>();
     attach_sources(app, *options);
     app.add_flag("--validity", options->validity,
                  "Also ask whether the preference depends on ecological validity, as the built-in "
@@ -189,7 +192,7 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
 }  // namespace
 
 Command analyze_command() {
-    return {"analyze", "Test the answers: is one image preferred, and where?", attach};
+    return {"analyze", "Test the answers: is one image preferred, and where?", attach_analyze};
 }
 
 }  // namespace obscura::app

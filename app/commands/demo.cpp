@@ -6,8 +6,9 @@
 #include <memory>
 
 #include "analysis/export/contents.h"
+#include "analysis/presentation/report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/report.h"
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 using analysis::Kind;
 using analysis::Store;
 
-struct Options {
+struct DemoOptions {
     std::string study = "jakobsen2010";
     fs::path out;  ///< empty: DATA/demo
     int participants = 36;
@@ -78,7 +79,7 @@ void simulate(const stimuli::Study& study, const fs::path& images, const fs::pat
               int participants, bool quiet) {
     const kiosk::ChoiceModel choices = kiosk::choices_from(study, analysis::published_votes());
     if (!choices.unpublished.empty()) {
-        spdlog::warn(
+        base::log::warn(
             "no published votes for {}: observers choose either image with probability "
             "1/2 there",
             fmt::join(choices.unpublished, ", "));
@@ -136,7 +137,7 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     return analysis::text_report(input.analysis);
 }
 
-base::ExitCode demo(const Options& options, const Globals& globals) {
+base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const fs::path out = options.out.empty() ? globals.data / "demo" : options.out;
     const stimuli::Study study = stimuli::load_study(options.study);
     base::require_writable_folder(out, "--out");
@@ -144,7 +145,7 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     refuse_real_answers(file);
     const fs::path images = stimuli::stimuli_folder(out, study);
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
-    spdlog::info("{} images made, {} were there already", generated.made, generated.kept);
+    base::log::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
     const std::string report = analyse(
         study, exported_study(stimuli::study_source(options.study), study, images), out, file);
@@ -159,8 +160,8 @@ base::ExitCode demo(const Options& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
-    auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_demo(CLI::App& app, const Globals& globals) {
+    auto options = std::make_shared<DemoOptions>();
     app.add_option("study", options->study, "Study file, or name of a built-in study")
         ->type_name("STUDY")
         ->capture_default_str();
@@ -180,7 +181,8 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
 }  // namespace
 
 Command demo_command() {
-    return {"demo", "The whole study without a display: render, simulate, export, analyse", attach};
+    return {"demo", "The whole study without a display: render, simulate, export, analyse",
+            attach_demo};
 }
 
 }  // namespace obscura::app

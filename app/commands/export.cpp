@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <map>
@@ -14,6 +13,7 @@
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
 #include "app/kiosk/machine.h"
+#include "renderer/base/log.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ExportOptions {
     std::string db;  ///< empty: the data folder's
     fs::path out;
     std::string format = "csv";
@@ -50,8 +50,8 @@ void warn_of_other_versions(const stimuli::Study& study,
                             const std::map<std::string, std::size_t>& hashes) {
     for (const auto& [sha256, sessions] : hashes) {
         if (sha256 == study.sha256) continue;
-        spdlog::warn("{} of study {} began with another version of its file (SHA-256 {})",
-                     counted(sessions, "session"), study.name, sha256);
+        base::log::warn("{} of study {} began with another version of its file (SHA-256 {})",
+                        counted(sessions, "session"), study.name, sha256);
     }
 }
 
@@ -91,8 +91,8 @@ std::optional<stimuli::StudySource> find_builtin(const std::string& name,
     return std::nullopt;
 }
 
-std::vector<analysis::ExportedStudy> studies_of(const Options& options, const Globals& globals,
-                                                const Hashes& hashes) {
+std::vector<analysis::ExportedStudy> studies_of(const ExportOptions& options,
+                                                const Globals& globals, const Hashes& hashes) {
     std::map<std::string, stimuli::StudySource> sources;
     for (const std::string& option : options.studies) {
         stimuli::StudySource source = stimuli::study_source(option);
@@ -109,7 +109,7 @@ std::vector<analysis::ExportedStudy> studies_of(const Options& options, const Gl
         const fs::path images = globals.data / "stimuli" / name;
         const auto source = sources.find(name);
         if (source == sources.end()) {
-            spdlog::warn("the file of study {} is not at hand: --study FILE adds it", name);
+            base::log::warn("the file of study {} is not at hand: --study FILE adds it", name);
             exported.push_back(exported_study(name, images));
         } else {
             const auto study = stimuli::parse_study(source->second.text, source->second.name, {},
@@ -118,20 +118,20 @@ std::vector<analysis::ExportedStudy> studies_of(const Options& options, const Gl
             exported.push_back(exported_study(source->second, study, images));
         }
         if (exported.back().manifest_text.empty()) {
-            spdlog::warn("{}: there is no manifest of the images to add",
-                         (images / "manifest.json").string());
+            base::log::warn("{}: there is no manifest of the images to add",
+                            (images / "manifest.json").string());
         }
     }
     return exported;
 }
 
-std::uint64_t seed_of(const Options& options) {
+std::uint64_t seed_of(const ExportOptions& options) {
     if (options.seed) return *options.seed;
     std::random_device device;
     return (static_cast<std::uint64_t>(device()) << 32U | device()) >> 1U;
 }
 
-base::ExitCode export_answers(const Options& options, const Globals& globals) {
+base::ExitCode export_answers(const ExportOptions& options, const Globals& globals) {
     if (options.seed && !options.anonymous) {
         throw base::bad_input("--seed {}: it needs --anonymous", *options.seed);
     }
@@ -145,26 +145,26 @@ base::ExitCode export_answers(const Options& options, const Globals& globals) {
     wanted.studies = studies_of(options, globals, hashes_in(store));
     if (options.anonymous) {
         wanted.anonymous_seed = seed_of(options);
-        spdlog::info("numbered in an order of seed {}: whoever knows it can undo that",
-                     *wanted.anonymous_seed);
+        base::log::info("numbered in an order of seed {}: whoever knows it can undo that",
+                        *wanted.anonymous_seed);
     }
     const analysis::Exported exported = analysis::export_store(store, wanted);
     const bool has_manifest = std::any_of(
         wanted.studies.begin(), wanted.studies.end(),
         [](const analysis::ExportedStudy& study) { return !study.manifest_text.empty(); });
     if (has_manifest && exported.unknown_images > 0) {
-        spdlog::warn("{} showed an image that no manifest lists",
-                     counted(exported.unknown_images, "trial"));
+        base::log::warn("{} showed an image that no manifest lists",
+                        counted(exported.unknown_images, "trial"));
     }
-    spdlog::info("in {}: {}, {} ({} simulated), {}", options.out.string(),
-                 counted(exported.participants, "participant"),
-                 counted(exported.sessions, "session"), exported.simulated,
-                 counted(exported.trials, "trial"));
+    base::log::info("in {}: {}, {} ({} simulated), {}", options.out.string(),
+                    counted(exported.participants, "participant"),
+                    counted(exported.sessions, "session"), exported.simulated,
+                    counted(exported.trials, "trial"));
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
-    auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_export(CLI::App& app, const Globals& globals) {
+    auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> formats;
     for (const auto format : analysis::kExportFormats) formats.emplace_back(to_string(format));
     app.add_option("--db", options->db,
@@ -193,7 +193,7 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
 }  // namespace
 
 Command export_command() {
-    return {"export", "Write the answers as tables with a data dictionary", attach};
+    return {"export", "Write the answers as tables with a data dictionary", attach_export};
 }
 
 }  // namespace obscura::app

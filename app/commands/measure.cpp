@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <memory>
 
+#include "app/commands/image_size.h"
 #include "app/commands/list.h"
 #include "app/measure/measure.h"
 #include "renderer/base/files.h"
@@ -17,32 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "WxH" as two whole numbers.
-void parse_size(const std::string& text, MeasureRequest& request) {
-    const char* const end = text.data() + text.size();
-    int width = 0;
-    int height = 0;
-    const auto [cross, first] = std::from_chars(text.data(), end, width);
-    if (first == std::errc() && cross != end && *cross == 'x') {
-        const auto [rest, second] = std::from_chars(cross + 1, end, height);
-        if (second == std::errc() && rest == end) {
-            request.width = width;
-            request.height = height;
-            return;
-        }
-    }
-    throw base::bad_input("--size: \"{}\" is not WIDTHxHEIGHT, such as 640x360", text);
-}
-
-struct Options {
+struct MeasureOptions {
     MeasureRequest request;
     std::string size;
 };
 
-base::ExitCode run(Options options, const Globals& globals) {
+base::ExitCode run(MeasureOptions options, const Globals& globals) {
     MeasureRequest& request = options.request;
     request.quiet = globals.quiet;
-    if (!options.size.empty()) parse_size(options.size, request);
+    if (!options.size.empty()) {
+        const ImageSize size = parse_size(options.size);
+        request.width = size.width;
+        request.height = size.height;
+    }
     if (request.out.empty()) request.out = globals.data / "reports" / "measure";
     request.cache = globals.data / "cache" / "reference";
     if (!request.study.empty() && !request.scenes.empty()) {
@@ -55,15 +42,15 @@ base::ExitCode run(Options options, const Globals& globals) {
         base::require_writable_folder(parent.empty() ? fs::path(".") : parent, "--write-study");
     }
     const Measured measured = measure(request);
-    for (const std::string& note : measured.notes) spdlog::warn("{}", note);
+    for (const std::string& note : measured.notes) base::log::warn("{}", note);
     fmt::print("{}", analysis::report_text(measured.report));
     const std::vector<fs::path> written = analysis::write_report(measured.report, request.out);
     if (!measured.fitted_study.empty()) {
         base::write_file_atomically(request.write_study, measured.fitted_study);
-        spdlog::info("{}: the study with fitted values", request.write_study.string());
+        base::log::info("{}: the study with fitted values", request.write_study.string());
     }
-    spdlog::info("{}: {} files; look at {}", request.out.string(), written.size(),
-                 written.back().string());
+    base::log::info("{}: {} files; look at {}", request.out.string(), written.size(),
+                    written.back().string());
     const std::size_t unexplained = analysis::count_of(measured.report.hard_cases).no;
     if (unexplained > 0) {
         throw base::check_failed("{} hard case{} without a reason; they are in {}", unexplained,
@@ -80,8 +67,8 @@ std::string names_of(const List& list) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
-    const auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_measure(CLI::App& app, const Globals& globals) {
+    const auto options = std::make_shared<MeasureOptions>();
     MeasureRequest& request = options->request;
     app.add_option("STUDY", request.study,
                    "Study file or built-in study whose views are measured (default: jakobsen2010)");
@@ -97,8 +84,8 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
                    "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
         ->delimiter(',');
     app.add_option("--size", options->size,
-                   fmt::format("WIDTHxHEIGHT of the images, pixels (default: {}x{})",
-                               kUsualSize.width, kUsualSize.height));
+                   fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
+                               kUsualSize.height));
     app.add_option(
         "--rays", request.rays,
         fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
@@ -131,7 +118,7 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals& globals) {
 }  // namespace
 
 Command measure_command() {
-    return {"measure", "Measures speed against error, and numerical stability", attach};
+    return {"measure", "Measures speed against error, and numerical stability", attach_measure};
 }
 
 }  // namespace obscura::app

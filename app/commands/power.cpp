@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/report/text_layout.h"
+#include "analysis/presentation/text_layout.h"
 #include "app/commands/list.h"
 #include "renderer/base/check.h"
 
@@ -20,7 +20,7 @@ using analysis::SplitTest;
 using analysis::TestPower;
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct PowerOptions {
     std::vector<double> shares{.55, .60, .65, .70, .75, .80};
     double level = 0.05;
     double power = 0.8;
@@ -66,7 +66,7 @@ Range range_from(const std::string& text) {
     return range;
 }
 
-void check(const Options& options) {
+void check(const PowerOptions& options) {
     const auto check_open = [](const char* name, double value) {
         if (!(value > 0.0 && value < 1.0)) {
             throw base::bad_input("{} {}: allowed is more than 0 and less than 1", name, value);
@@ -83,7 +83,7 @@ void check(const Options& options) {
 }
 
 /// How many are needed for each share, and what a number of participants achieves.
-struct Answers {
+struct PowerAnswers {
     struct Needed {
         double share;
         analysis::Possible<std::int64_t> exact;
@@ -101,14 +101,14 @@ struct Answers {
     std::vector<Achieved> curve;  ///< by number of participants, then share
 };
 
-Answers::Achieved achieved_at(std::int64_t n, double share, const Options& options) {
+PowerAnswers::Achieved achieved_at(std::int64_t n, double share, const PowerOptions& options) {
     return {share, analysis::power_of(SplitTest::kExact, n, share, options.level),
             analysis::power_of(SplitTest::kChiSquare, n, share, options.level),
             analysis::power_of(SplitTest::kExact, n, share, options.corrected_level())};
 }
 
-Answers answers_to(const Options& options) {
-    Answers answers;
+PowerAnswers answers_to(const PowerOptions& options) {
+    PowerAnswers answers;
     for (const double share : options.shares) {
         const auto needed = [&](SplitTest test, double level) {
             return analysis::participants_needed(test, share, level, options.power);
@@ -136,10 +136,10 @@ std::string number(const analysis::Possible<std::int64_t>& value) {
     return value.has_value() ? std::to_string(*value) : "-";
 }
 
-std::string needed_table(const Answers& answers, const Options& options) {
+std::string needed_table(const PowerAnswers& answers, const PowerOptions& options) {
     std::vector<analysis::TextRow> rows{{"share", "exact", "chi-square"}};
     if (options.conditions > 1) rows.front().emplace_back("exact, Holm");
-    for (const Answers::Needed& needed : answers.needed) {
+    for (const PowerAnswers::Needed& needed : answers.needed) {
         rows.push_back(
             {fmt::format("{:g}", needed.share), number(needed.exact), number(needed.chi_square)});
         if (options.conditions > 1) rows.back().push_back(number(needed.corrected));
@@ -147,11 +147,12 @@ std::string needed_table(const Answers& answers, const Options& options) {
     return analysis::aligned(rows, 1);
 }
 
-std::string achieved_table(const std::vector<Answers::Achieved>& list, const Options& options) {
+std::string achieved_table(const std::vector<PowerAnswers::Achieved>& list,
+                           const PowerOptions& options) {
     std::vector<analysis::TextRow> rows{
         {"participants", "share", "exact: power", "true size", "chi-square: power", "true size"}};
     if (options.conditions > 1) rows.front().emplace_back("exact, Holm: power");
-    for (const Answers::Achieved& at : list) {
+    for (const PowerAnswers::Achieved& at : list) {
         rows.push_back({std::to_string(at.exact.n), fmt::format("{:g}", at.share),
                         fmt::format("{:.6f}", at.exact.power),
                         fmt::format("{:.6f}", at.exact.true_size),
@@ -163,7 +164,7 @@ std::string achieved_table(const std::vector<Answers::Achieved>& list, const Opt
     return analysis::aligned(rows, 0);
 }
 
-std::string text_of(const Answers& answers, const Options& options) {
+std::string text_of(const PowerAnswers& answers, const PowerOptions& options) {
     std::string words = fmt::format(
         "Participants needed for {:g} % power at level {:g} (two-sided test of an equal split of "
         "one condition; the power stays there for the next {} numbers):\n",
@@ -202,9 +203,9 @@ Json json_of(const TestPower& power) {
     return object;
 }
 
-Json json_of(const std::vector<Answers::Achieved>& list) {
+Json json_of(const std::vector<PowerAnswers::Achieved>& list) {
     Json array = Json::array();
-    for (const Answers::Achieved& at : list) {
+    for (const PowerAnswers::Achieved& at : list) {
         array.push_back({{"n", at.exact.n},
                          {"share", at.share},
                          {"exact", json_of(at.exact)},
@@ -214,14 +215,14 @@ Json json_of(const std::vector<Answers::Achieved>& list) {
     return array;
 }
 
-std::string json_of(const Answers& answers, const Options& options) {
+std::string json_of(const PowerAnswers& answers, const PowerOptions& options) {
     Json report;
     report["level"] = options.level;
     report["power"] = options.power;
     report["conditions"] = options.conditions;
     report["corrected_level"] = options.corrected_level();
     report["needed"] = Json::array();
-    for (const Answers::Needed& needed : answers.needed) {
+    for (const PowerAnswers::Needed& needed : answers.needed) {
         Json& entry = report["needed"].emplace_back();
         entry["share"] = needed.share;
         put(entry, "exact", needed.exact);
@@ -234,11 +235,11 @@ std::string json_of(const Answers& answers, const Options& options) {
 }
 
 /// The curve, a row for each number of participants and share.
-std::string csv_of(const std::vector<Answers::Achieved>& curve) {
+std::string csv_of(const std::vector<PowerAnswers::Achieved>& curve) {
     std::string text =
         "participants,share,exact_power,exact_true_size,chi_square_power,chi_square_true_size,"
         "exact_holm_power,exact_holm_true_size\n";
-    for (const Answers::Achieved& at : curve) {
+    for (const PowerAnswers::Achieved& at : curve) {
         text += fmt::format("{},{},{},{},{},{},{},{}\n", at.exact.n, at.share, at.exact.power,
                             at.exact.true_size, at.chi_square.power, at.chi_square.true_size,
                             at.corrected.power, at.corrected.true_size);
@@ -246,19 +247,19 @@ std::string csv_of(const std::vector<Answers::Achieved>& curve) {
     return text;
 }
 
-base::ExitCode power(const Options& options) {
+base::ExitCode power(const PowerOptions& options) {
     check(options);
     if (options.csv) {
         fmt::print("{}", csv_of(answers_to(options).curve));
         return base::ExitCode::kDone;
     }
-    const Answers answers = answers_to(options);
+    const PowerAnswers answers = answers_to(options);
     fmt::print("{}", options.json ? json_of(answers, options) : text_of(answers, options));
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
-    auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_power(CLI::App& app, const Globals&) {
+    auto options = std::make_shared<PowerOptions>();
     app.add_option("--share", options->shares,
                    "True shares of votes for the preferred image, 0 to 1, at least .001 from .5")
         ->capture_default_str();
@@ -282,6 +283,8 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
 
 }  // namespace
 
-Command power_command() { return {"power", "How many participants does a study need?", attach}; }
+Command power_command() {
+    return {"power", "How many participants does a study need?", attach_power};
+}
 
 }  // namespace obscura::app

@@ -38,20 +38,20 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
                       const std::filesystem::path& folder, bool quiet) {
     const stimuli::Verified verified = stimuli::verify(study, options.selection, folder, quiet);
     for (const std::string& problem : verified.problems) fmt::print(stderr, "{}\n", problem);
-    for (const std::string& warning : verified.warnings) spdlog::warn("warning: {}", warning);
+    for (const std::string& warning : verified.warnings) base::log::warn("warning: {}", warning);
     if (!verified.problems.empty()) {
         throw base::check_failed("{} of {} images in {} do not hold", verified.problems.size(),
                                  verified.checked, folder.string());
     }
-    spdlog::info("{}: {} images checked, each is what this program renders", folder.string(),
-                 verified.checked);
+    base::log::info("{}: {} images checked, each is what this program renders", folder.string(),
+                    verified.checked);
     return base::ExitCode::kDone;
 }
 
 base::ExitCode render(RenderOptions options, const Globals& globals) {
     const stimuli::Study study = stimuli::load_study(options.study);
     for (const std::string& warning : stimuli::warnings_of(study))
-        spdlog::warn("warning: {}", warning);
+        base::log::warn("warning: {}", warning);
     if (!options.shard.empty()) parse_shard(options.shard, options.selection);
     const std::filesystem::path folder = options.out.empty()
                                              ? stimuli::stimuli_folder(globals.data, study)
@@ -63,10 +63,10 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     if (options.verify) return verify(study, options, folder, globals.quiet);
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
-    for (const std::string& warning : generated.warnings) spdlog::warn("warning: {}", warning);
-    spdlog::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
-                 generated.kept,
-                 generated.complete ? "the study is complete" : "the study is not complete yet");
+    for (const std::string& warning : generated.warnings) base::log::warn("warning: {}", warning);
+    base::log::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
+                    generated.kept,
+                    generated.complete ? "the study is complete" : "the study is not complete yet");
     return base::ExitCode::kDone;
 }
 

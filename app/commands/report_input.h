@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/report/report.h"
+#include "analysis/presentation/report.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {

@@ -16,7 +16,7 @@
 namespace obscura::app {
 namespace {
 
-struct Options {
+struct RunOptions {
     std::string study = "jakobsen2010";
     std::string store_url;
     int monitor = 0;
@@ -34,7 +34,7 @@ void refuse_missing_folder(const std::string& url) {
     }
 }
 
-base::ExitCode run(const Options& options, const Globals& globals) {
+base::ExitCode run(const RunOptions& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
     if (const auto problems = kiosk::problems_of_texts(study.shown_texts); !problems.empty()) {
@@ -52,8 +52,8 @@ base::ExitCode run(const Options& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach(CLI::App& command, const Globals& globals) {
-    auto options = std::make_shared<Options>();
+std::function<base::ExitCode()> attach_run(CLI::App& command, const Globals& globals) {
+    auto options = std::make_shared<RunOptions>();
     command.add_option("study", options->study, "Study file, or name of a built-in study")
         ->type_name("STUDY")
         ->capture_default_str();
@@ -75,6 +75,8 @@ std::function<base::ExitCode()> attach(CLI::App& command, const Globals& globals
 
 }  // namespace
 
-Command run_command() { return {"run", "The kiosk: runs participants through a study", &attach}; }
+Command run_command() {
+    return {"run", "The kiosk: runs participants through a study", &attach_run};
+}
 
 }  // namespace obscura::app

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <memory>
 
+#include "app/commands/image_size.h"
 #include "app/commands/list.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
@@ -23,18 +23,6 @@ struct SceneOptions {
     std::string size = "1280x720";
     double scale = 1.0;
 };
-
-/// "WxH" as two whole numbers.
-std::pair<int, int> parse_size(const std::string& text) {
-    std::pair<int, int> size;
-    const char* const end = text.data() + text.size();
-    const auto [cross, first] = std::from_chars(text.data(), end, size.first);
-    if (first == std::errc() && cross != end && *cross == 'x') {
-        const auto [rest, second] = std::from_chars(cross + 1, end, size.second);
-        if (second == std::errc() && rest == end) return size;
-    }
-    throw base::bad_input("--size: \"{}\" is not WxH in pixels, such as 1280x720", text);
-}
 
 stimuli::OpenedScene open(const SceneOptions& options) {
     stimuli::SceneSettings settings;
@@ -72,14 +60,14 @@ base::ExitCode export_scene(const SceneOptions& options) {
                               options.out);
     }
     const stimuli::OpenedScene scene = open(options);
-    for (const std::string& note : scene.notes) spdlog::warn("{}: {}", scene.title, note);
+    for (const std::string& note : scene.notes) base::log::warn("{}: {}", scene.title, note);
     // The lights of the richest level; glTF holds no environment.
     const renderer::Lighting lighting = scene.lighting(scene.levels.back());
     const std::string bytes = renderer::to_glb(*scene.scene, lighting);
     base::write_file_atomically(options.out, bytes);
-    spdlog::info("{}: {} bytes, {} triangles, {} cameras, {} lights", options.out, bytes.size(),
-                 scene.scene->triangle_count(), scene.scene->cameras.size(),
-                 lighting.lights.size() + lighting.point_lights.size());
+    base::log::info("{}: {} bytes, {} triangles, {} cameras, {} lights", options.out, bytes.size(),
+                    scene.scene->triangle_count(), scene.scene->cameras.size(),
+                    lighting.lights.size() + lighting.point_lights.size());
     std::vector<std::string> left_out;
     if (lighting.environment) {
         left_out.push_back(fmt::format("the environment ({})", lighting.environment->name));
@@ -92,9 +80,9 @@ base::ExitCode export_scene(const SceneOptions& options) {
                                        lighting.tone_mapping->exposure,
                                        lighting.tone_mapping->white));
     }
-    spdlog::info("left out, since glTF has no place for it: {}", fmt::join(left_out, ", "));
+    base::log::info("left out, since glTF has no place for it: {}", fmt::join(left_out, ", "));
     if (!scene.builtin) {
-        spdlog::info("a camera or light that the file lacks is written as Obscura shows it");
+        base::log::info("a camera or light that the file lacks is written as Obscura shows it");
     }
     return base::ExitCode::kDone;
 }
@@ -107,7 +95,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
         ->capture_default_str();
 }
 
-std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
+std::function<base::ExitCode()> attach_scene(CLI::App& app, const Globals&) {
     const auto options = std::make_shared<SceneOptions>();
     const auto chosen = std::make_shared<std::function<base::ExitCode()>>();
     app.require_subcommand(1);
@@ -135,7 +123,7 @@ std::function<base::ExitCode()> attach(CLI::App& app, const Globals&) {
 }  // namespace
 
 Command scene_command() {
-    return {"scene", "List, inspect and export scenes, built in or from files", attach};
+    return {"scene", "List, inspect and export scenes, built in or from files", attach_scene};
 }
 
 }  // namespace obscura::app

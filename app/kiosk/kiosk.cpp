@@ -90,7 +90,7 @@ class Kiosk {
                 bool page_shown = false;
                 return done_aside(stage_, page_shown, work);
             } catch (const std::exception& error) {
-                spdlog::error("cannot {}: {}", purpose, error.what());
+                base::log::error("cannot {}: {}", purpose, error.what());
                 const Trouble trouble{
                     "The store of the answers does not respond", error.what(),
                     fmt::format("It is needed to {}. Every answer so far is saved. Mend the store, "
@@ -149,7 +149,7 @@ class Kiosk {
             plan = plan_to_resume(study_, manifest_, session, trials, so_far->events);
         } catch (const base::Error& error) {
             shown.refusal = error.what();
-            spdlog::warn("session {} cannot be continued: {}", session.session_id, error.what());
+            base::log::warn("session {} cannot be continued: {}", session.session_id, error.what());
         }
         const std::optional<CutOffChoice> choice = decide(shown);
         if (!choice) return End::kLeft;
@@ -228,14 +228,15 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     texts.push_back(note);
     Ui ui(window, texts, study.grey_level);
     Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level), note};
-    spdlog::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
-                 stage.pace.locked ? "presenting waits for the refresh"
-                                   : "presenting does not wait for the refresh");
-    spdlog::info("answers go to {}", options.store_url);
+    base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
+                    stage.pace.locked ? "presenting waits for the refresh"
+                                      : "presenting does not wait for the refresh");
+    base::log::info("answers go to {}", options.store_url);
     if (is_file(options.store_url)) {
-        spdlog::info("that one file has every answer whenever a page is shown: copy it as it is");
+        base::log::info(
+            "that one file has every answer whenever a page is shown: copy it as it is");
     }
-    spdlog::info("{}", kOperatorsKey);
+    base::log::info("{}", kOperatorsKey);
     Kiosk kiosk(study, manifest, store, stage);
     kiosk.run();
     if (kiosk.unsaved() > 0) {

@@ -108,16 +108,17 @@ bool SessionRunner::save() {
     bool covered = false;
     while (const std::optional<std::string> reason = flush(covered)) {
         const bool nothing_waits = journal_.waiting().empty();
-        spdlog::error("cannot save {}: {}",
-                      nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
-                      *reason);
+        base::log::error("cannot save {}: {}",
+                         nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
+                         *reason);
         const Trouble trouble =
             nothing_waits ? Trouble{"The store of the answers is not where it was", *reason,
                                     "Put it back, then try again. After leaving, the session can "
                                     "be continued at this place."}
                           : trouble_of(journal_.waiting().front(), *reason);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
-            for (const Row& row : journal_.waiting()) spdlog::error("not saved: {}", describe(row));
+            for (const Row& row : journal_.waiting())
+                base::log::error("not saved: {}", describe(row));
             return false;
         }
         covered = true;
@@ -162,7 +163,7 @@ void SessionRunner::go_on_hidden() {
         stage_.window.present();
         hidden_page_ = true;
         idle_frames_ = 0;
-        spdlog::warn("{}: {}", to_string(sight), state);
+        base::log::warn("{}: {}", to_string(sight), state);
     } else {
         draw_next_frame(stage_, page, idle_frames_);
     }
@@ -185,7 +186,7 @@ bool SessionRunner::load_pair() {
             loaded_.reset();
             loaded_ = LoadedPair{pair, load(0), load(1)};
         } catch (const base::Error& error) {
-            spdlog::error("{}", error.what());
+            base::log::error("{}", error.what());
             const Trouble trouble{"An image cannot be shown", error.what(),
                                   "Every answer so far is saved. The session stays open and can "
                                   "be continued at this pair."};

@@ -100,7 +100,7 @@ std::optional<bool> ask_whether_to_abandon(Stage& stage, const CutOffSession& se
 bool wait_for_saving(Stage& stage, const std::function<bool(double)>& ready_within) {
     constexpr double kSoon_s = 0.5;
     if (ready_within(kSoon_s)) return false;
-    spdlog::warn("the store takes longer than half a second");
+    base::log::warn("the store takes longer than half a second");
     const auto page = [&stage] { saving_screen(stage.ui.fonts()); };
     draw_first_frame(stage.ui, page);
     stage.window.present();

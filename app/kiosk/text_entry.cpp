@@ -3,6 +3,7 @@
 #include "app/kiosk/text_entry.h"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <algorithm>
 
@@ -20,11 +21,9 @@ constexpr char32_t kLastCharacter = 0x10FFFF;
 }  // namespace
 
 std::string utf8_of(char32_t c) {
-    const auto tail = [c](int shift) { return static_cast<char>(0x80U | ((c >> shift) & 0x3FU)); };
-    if (c < 0x80) return {static_cast<char>(c)};
-    if (c < 0x800) return {static_cast<char>(0xC0U | (c >> 6)), tail(0)};
-    if (c < 0x10000) return {static_cast<char>(0xE0U | (c >> 12)), tail(6), tail(0)};
-    return {static_cast<char>(0xF0U | (c >> 18)), tail(12), tail(6), tail(0)};
+    std::string bytes;
+    utf8::append(c, bytes);
+    return bytes;
 }
 
 void TextEntry::type(char32_t character) {

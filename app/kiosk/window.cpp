@@ -35,7 +35,7 @@ namespace {
 }
 
 [[nodiscard]] Extent size_of(GLFWmonitor* monitor) {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
     return mode != nullptr ? Extent{mode->width, mode->height} : Extent{};
 }
 
@@ -107,11 +107,6 @@ struct Window::Callbacks {
         of(window).iconified_ = iconified == GLFW_TRUE;
     }
     static void moved(GLFWwindow* window, int /*x*/, int /*y*/) { of(window).looked_s_ = 0.0; }
-    static void monitor(GLFWmonitor* monitor, int event) {
-        if (with_monitors_ != nullptr) {
-            with_monitors_->note_monitor(monitor, event == GLFW_CONNECTED);
-        }
-    }
     static void close(GLFWwindow* window) { glfwSetWindowShouldClose(window, GLFW_FALSE); }
 };
 
@@ -133,8 +128,6 @@ const char* to_string(Sight sight) {
     return "";
 }
 
-Window* Window::with_monitors_ = nullptr;
-
 Window::Window(const WindowOptions& options) {
     if (glfwInit() != GLFW_TRUE) {
         throw base::failure("no display: {} ({}, {}); the kiosk needs a screen", glfw_reason(),
@@ -152,37 +145,34 @@ Window::Window(const WindowOptions& options) {
         glfwTerminate();
         throw;
     }
-    with_monitors_ = this;
-    glfwSetMonitorCallback(&Callbacks::monitor);
 }
 
 Window::~Window() {
-    with_monitors_ = nullptr;
     cover_.reset();
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
 
 void Window::open(const WindowOptions& options) {
-    monitor_ = find_monitor(options.monitor);
-    monitor_name_ = glfwGetMonitorName(monitor_);
-    monitor_size_ = size_of(monitor_);
+    GLFWmonitor* monitor = find_monitor(options.monitor);
+    monitor_name_ = glfwGetMonitorName(monitor);
+    monitor_size_ = size_of(monitor);
     windowed_ = options.windowed;
     require_room(monitor_size_, options.room,
                  fmt::format("monitor {} ({})", options.monitor, monitor_name_));
-    glfwGetMonitorPos(monitor_, &wanted_.left, &wanted_.top);
+    glfwGetMonitorPos(monitor, &wanted_.left, &wanted_.top);
     wanted_.size = monitor_size_;
     if (windowed_) {
         wanted_.size.width =
             std::min(monitor_size_.width, std::max(options.room.width, kSmallestWindow.width));
         wanted_.size.height =
             std::min(monitor_size_.height, std::max(options.room.height, kSmallestWindow.height));
-    } else if (const GLFWvidmode* mode = glfwGetVideoMode(monitor_)) {
+    } else if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
         glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
     }
     set_hints();
     window_ = glfwCreateWindow(wanted_.size.width, wanted_.size.height, "Obscura",
-                               windowed_ ? nullptr : monitor_, nullptr);
+                               windowed_ ? nullptr : monitor, nullptr);
     if (window_ == nullptr) {
         throw base::failure(
             "no OpenGL 4.5 core context in a window: {}; the driver is missing or too old "
@@ -236,7 +226,8 @@ void Window::settle() {
 }
 
 void Window::describe_display() {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
+    GLFWmonitor* its = monitor();
+    const GLFWvidmode* mode = its != nullptr ? glfwGetVideoMode(its) : nullptr;
     refresh_hz_ = mode != nullptr ? std::max(0, mode->refreshRate) : 0;
     const std::string rate =
         refresh_hz_ > 0.0 ? fmt::format("{} Hz", refresh_hz_) : "unknown refresh rate";
@@ -253,12 +244,14 @@ Window::Place Window::place() const {
 
 bool Window::is_in_place() const { return windowed_ ? size() == wanted_.size : place() == wanted_; }
 
-void Window::note_monitor(GLFWmonitor* monitor, bool connected) {
-    looked_s_ = 0.0;
-    if (!connected && monitor == monitor_) monitor_ = nullptr;
-    if (connected && monitor_ == nullptr && monitor_name_ == glfwGetMonitorName(monitor)) {
-        monitor_ = monitor;
-    }
+GLFWmonitor* Window::monitor() const {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor** end = monitors + count;
+    GLFWmonitor** found = std::find_if(monitors, end, [this](GLFWmonitor* one) {
+        return monitor_name_ == glfwGetMonitorName(one);
+    });
+    return found != end ? *found : nullptr;
 }
 
 Sight Window::sight() {
@@ -266,9 +259,11 @@ Sight Window::sight() {
     if (const double now_s = monotonic_s(); now_s - looked_s_ >= kLook_s) {
         looked_s_ = now_s;
         in_place_ = is_in_place();
-        monitor_as_it_was_ = monitor_ != nullptr && size_of(monitor_) == monitor_size_;
+        GLFWmonitor* its = monitor();
+        monitor_lost_ = its == nullptr;
+        monitor_as_it_was_ = its != nullptr && size_of(its) == monitor_size_;
     }
-    if (monitor_ == nullptr) return Sight::kMonitorLost;
+    if (monitor_lost_) return Sight::kMonitorLost;
     if (iconified_) return Sight::kIconified;
     if (!monitor_as_it_was_ || !in_place_) return Sight::kResized;
     if (cover_->covered()) return Sight::kCovered;
@@ -277,19 +272,34 @@ Sight Window::sight() {
 
 std::string Window::state() const {
     const Place now = place();
-    const std::string monitor =
-        monitor_ == nullptr ? fmt::format("the monitor {} is gone, it was {}", monitor_name_,
-                                          text_of(monitor_size_))
-                            : fmt::format("the monitor {} is {}, it was {}", monitor_name_,
-                                          text_of(size_of(monitor_)), text_of(monitor_size_));
-    return fmt::format("{}; the window is {} at {}, {}, it should be {} at {}, {}", monitor,
-                       text_of(now.size), now.left, now.top, text_of(wanted_.size), wanted_.left,
-                       wanted_.top);
+    GLFWmonitor* its = monitor();
+    const std::string is = its == nullptr ? "gone" : text_of(size_of(its));
+    return fmt::format(
+        "the monitor {} is {}, it was {}; the window is {} at {}, {}, it should be {} at {}, {}",
+        monitor_name_, is, text_of(monitor_size_), text_of(now.size), now.left, now.top,
+        text_of(wanted_.size), wanted_.left, wanted_.top);
+}
+
+/// A page can be read on whatever screen is left. GLFW itself leaves the window anywhere when its
+/// monitor goes.
+void Window::make_do_with(GLFWmonitor* monitor) {
+    Place meanwhile = wanted_;
+    if (const Extent extent = size_of(monitor); extent.width > 0 && extent.height > 0) {
+        glfwGetMonitorPos(monitor, &meanwhile.left, &meanwhile.top);
+        meanwhile.size = extent;
+    }
+    if (windowed_ || place() == meanwhile) return;
+    const auto& [left, top, extent] = meanwhile;
+    glfwSetWindowMonitor(window_, nullptr, left, top, extent.width, extent.height, GLFW_DONT_CARE);
 }
 
 void Window::restore() {
     looked_s_ = 0.0;
-    if (monitor_ == nullptr || size_of(monitor_) != monitor_size_) return;
+    GLFWmonitor* its = monitor();
+    if (its == nullptr || size_of(its) != monitor_size_) {
+        make_do_with(its != nullptr ? its : glfwGetPrimaryMonitor());
+        return;
+    }
     if (windowed_) {
         if (!is_in_place()) glfwSetWindowSize(window_, wanted_.size.width, wanted_.size.height);
         return;
@@ -301,10 +311,10 @@ void Window::restore() {
     if (!is_in_place()) {
         // To the monitor by way of a plain window: GLFW asks for nothing that it believes it has.
         const auto& [left, top, extent] = wanted_;
-        const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
+        const GLFWvidmode* mode = glfwGetVideoMode(its);
         const int rate = mode != nullptr ? mode->refreshRate : GLFW_DONT_CARE;
         glfwSetWindowMonitor(window_, nullptr, left, top, extent.width, extent.height, rate);
-        glfwSetWindowMonitor(window_, monitor_, 0, 0, extent.width, extent.height, rate);
+        glfwSetWindowMonitor(window_, its, 0, 0, extent.width, extent.height, rate);
     }
     glfwFocusWindow(window_);
 }

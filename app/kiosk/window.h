@@ -73,7 +73,8 @@ class Window {
     /// How the monitor and the window are and how they should be: for the operator.
     [[nodiscard]] std::string state() const;
     /// Brings the window back, as far as it can be: where it belongs, and on the whole monitor also
-    /// back from an icon, before other windows and to the keys. Never changes the monitor.
+    /// back from an icon, before other windows and to the keys. Where the monitor is gone or is not
+    /// as it was, the window fills what is there instead. Never changes the monitor.
     void restore();
 
     /// Shows what was drawn and waits until it is shown; gives the monotonic time.
@@ -96,12 +97,12 @@ class Window {
     void describe_display();
     [[nodiscard]] Place place() const;
     [[nodiscard]] bool is_in_place() const;
-    void note_monitor(GLFWmonitor* monitor, bool connected);
-
-    static Window* with_monitors_;  ///< GLFW tells of monitors without naming a window
+    /// The window's; nullptr: it is gone. Looked for anew each time: GLFW frees a monitor that
+    /// goes, and Dear ImGui takes its only callback for monitors.
+    [[nodiscard]] GLFWmonitor* monitor() const;
+    void make_do_with(GLFWmonitor* monitor);
 
     GLFWwindow* window_ = nullptr;
-    GLFWmonitor* monitor_ = nullptr;  ///< nullptr: it is gone
     std::string monitor_name_;
     bool windowed_ = false;
     Place wanted_;         ///< of the window; its size only where it is windowed
@@ -110,6 +111,7 @@ class Window {
     bool focused_ = true;
     bool iconified_ = false;
     bool in_place_ = true;
+    bool monitor_lost_ = false;
     bool monitor_as_it_was_ = true;
     double looked_s_ = 0.0;  ///< when the place and the monitor were last asked for
     std::string gpu_renderer_;

@@ -30,8 +30,9 @@ std::vector<std::pair<int, int>> sizes_of(const MeasureRequest& request) {
 /// The range's own samples, doubled from 8.
 std::vector<int> samples_of(const renderer::Technique& technique) {
     std::vector<int> list;
-    for (int samples = 8; samples <= std::min(128, technique.samples.high); samples *= 2) {
-        list.push_back(samples);
+    const renderer::SampleRange& range = technique.samples;
+    for (int samples = 8; samples <= std::min(128, range.high); samples *= 2) {
+        if (samples >= range.low && samples % range.multiple_of == 0) list.push_back(samples);
     }
     return list;
 }

@@ -137,9 +137,13 @@ Source scene_of_study(const std::vector<stimuli::BuiltinScene>& catalogue,
     return std::make_shared<const stimuli::SceneSource>(std::move(source));
 }
 
-bool allows(const Technique& technique, int samples) {
-    const renderer::SampleRange& range = technique.samples;
-    return samples >= range.low && samples <= range.high && samples % range.multiple_of == 0;
+/// What is wrong with so many samples of a technique; nothing where it takes them.
+std::optional<std::string> problem_of(const Technique& technique, int samples) {
+    const renderer::Variant variant{.technique = technique.name, .samples = samples};
+    for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
+        if (problem.key == "samples") return problem.message;
+    }
+    return std::nullopt;
 }
 
 void check_samples(const MeasureRequest& request) {
@@ -147,13 +151,9 @@ void check_samples(const MeasureRequest& request) {
         base::check_range("measure", "--samples", samples, 1, 65536);
         for (const std::string& name : measured_techniques(request)) {
             const Technique& technique = *renderer::find_technique(name);
-            if (technique.samples.high == 0 || allows(technique, samples)) continue;
-            throw base::bad_input(
-                "--samples: {} is not allowed for {}, which takes {} to {}{}", samples, name,
-                technique.samples.low, technique.samples.high,
-                technique.samples.multiple_of > 1
-                    ? fmt::format(" in multiples of {}", technique.samples.multiple_of)
-                    : "");
+            if (technique.samples.high == 0) continue;
+            const auto problem = problem_of(technique, samples);
+            if (problem) throw base::bad_input("--samples: {}", *problem);
         }
     }
 }
@@ -207,7 +207,7 @@ std::set<int> samples_of(const MeasureRequest& request, const Technique& techniq
                                                             : kSamples;
     std::set<int> wanted(list.begin(), list.end());
     if (request.samples.empty()) wanted.insert(technique.samples.standard);
-    std::erase_if(wanted, [&](int samples) { return !allows(technique, samples); });
+    std::erase_if(wanted, [&](int samples) { return problem_of(technique, samples).has_value(); });
     return wanted;
 }
 

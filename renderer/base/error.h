@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace obscura::base {
 
@@ -29,22 +28,26 @@ class Error : public std::runtime_error {
     ExitCode code_;
 };
 
+/// The error whose text is the formatted message; behind the three below, so that the formatting
+/// itself is compiled once.
+[[nodiscard]] Error formatted_error(ExitCode code, fmt::string_view format, fmt::format_args args);
+
 /// The work failed: exit code 1. Arguments as fmt::format.
 template <typename... Args>
 [[nodiscard]] Error failure(fmt::format_string<Args...> format, Args&&... args) {
-    return {ExitCode::kFailed, fmt::format(format, std::forward<Args>(args)...)};
+    return formatted_error(ExitCode::kFailed, format, fmt::make_format_args(args...));
 }
 
 /// The command line or an input file is wrong: exit code 2. Arguments as fmt::format.
 template <typename... Args>
 [[nodiscard]] Error bad_input(fmt::format_string<Args...> format, Args&&... args) {
-    return {ExitCode::kBadInput, fmt::format(format, std::forward<Args>(args)...)};
+    return formatted_error(ExitCode::kBadInput, format, fmt::make_format_args(args...));
 }
 
 /// A check ran and did not hold: exit code 3. Arguments as fmt::format.
 template <typename... Args>
 [[nodiscard]] Error check_failed(fmt::format_string<Args...> format, Args&&... args) {
-    return {ExitCode::kCheckFailed, fmt::format(format, std::forward<Args>(args)...)};
+    return formatted_error(ExitCode::kCheckFailed, format, fmt::make_format_args(args...));
 }
 
 }  // namespace obscura::base

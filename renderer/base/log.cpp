@@ -3,12 +3,13 @@
 #include "renderer/base/log.h"
 
 #include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 
 #include <memory>
 
-namespace obscura::base {
+namespace obscura::base::log {
 
-void set_up_log(bool quiet) {
+void set_up(bool quiet) {
     auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
     auto logger = std::make_shared<spdlog::logger>("obscura", std::move(sink));
     logger->set_pattern("%^%v%$");
@@ -16,4 +17,15 @@ void set_up_log(bool quiet) {
     spdlog::set_default_logger(std::move(logger));
 }
 
-}  // namespace obscura::base
+void say(Level level, const std::string& line) {
+    switch (level) {
+        case Level::kInfo:
+            return spdlog::default_logger_raw()->log(spdlog::level::info, line);
+        case Level::kWarning:
+            return spdlog::default_logger_raw()->log(spdlog::level::warn, line);
+        case Level::kError:
+            return spdlog::default_logger_raw()->log(spdlog::level::err, line);
+    }
+}
+
+}  // namespace obscura::base::log

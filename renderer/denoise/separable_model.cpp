@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/denoise/denoise.h"
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/seen_buffers.h"
 
 namespace obscura::renderer {
 namespace {

@@ -7,39 +7,10 @@
 #include <bit>
 #include <cstddef>
 
-#include "renderer/base/error.h"
+#include "renderer/scene/scene_check.h"
 
 namespace obscura::renderer {
 namespace {
-
-std::array<TextureIndex, 5> textures_of(const Material& material) {
-    return {material.albedo_texture, material.normal_texture, material.roughness_texture,
-            material.emissive_texture, material.occlusion_texture};
-}
-
-void check_scene(const Scene& scene) {
-    for (const Mesh& mesh : scene.meshes) {
-        if (mesh.material >= scene.materials.size()) {
-            throw base::bad_input("scene {}, mesh {}: material {} of {}", scene.name, mesh.name,
-                                  mesh.material, scene.materials.size());
-        }
-        for (const std::uint32_t index : mesh.indices) {
-            if (index >= mesh.vertices.size()) {
-                throw base::bad_input("scene {}, mesh {}: index {} of {} vertices", scene.name,
-                                      mesh.name, index, mesh.vertices.size());
-            }
-        }
-    }
-    const auto count = static_cast<TextureIndex>(scene.textures.size());
-    for (const Material& material : scene.materials) {
-        for (const TextureIndex index : textures_of(material)) {
-            if (index < kNoTexture || index >= count) {
-                throw base::bad_input("scene {}, material {}: texture {} of {}", scene.name,
-                                      material.name, index, count);
-            }
-        }
-    }
-}
 
 /// Whether blur along the view does no harm: the texture tells roughness only, or a surface with
 /// holes or seen-through uses it. Leaves are drawn by small cards, some of them edge on; Mesa's
@@ -57,12 +28,7 @@ bool may_blur(const Scene& scene, const Texture& texture) {
 }
 
 gl::Texture upload(const Scene& scene, const Texture& texture) {
-    const auto texels =
-        static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
-    if (texture.width < 1 || texture.height < 1 || texture.rgba.size() != 4 * texels) {
-        throw base::bad_input("scene {}, texture {}: {} bytes for {}x{} texels", scene.name,
-                              texture.name, texture.rgba.size(), texture.width, texture.height);
-    }
+    check_texture(scene, texture);
     gl::Texture result = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
     const auto longest = static_cast<unsigned>(std::max(texture.width, texture.height));
     const GLsizei levels = static_cast<GLsizei>(std::bit_width(longest));
@@ -113,7 +79,8 @@ GpuScene::GpuScene(const Scene& scene)
       sorted_indices_(gl::Buffer::make()),
       materials_(scene.materials),
       bounds_(bounds_of(scene)) {
-    check_scene(scene);
+    for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh);
+    for (const Material& material : scene.materials) check_textures(scene, material);
     std::size_t vertex_count = 0;
     std::size_t index_count = 0;
     for (const Mesh& mesh : scene.meshes) {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <optional>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
 #include "renderer/reference/exr.h"
 #include "renderer/reference/reference.h"
 
@@ -59,7 +59,7 @@ std::optional<ReferenceImage> read_kept(const fs::path& file, const std::string&
         return ReferenceImage{width, height, *kept.find("ao.Y"), *kept.find("ao.stderr"),
                               *kept.find("Z")};
     } catch (const std::exception& error) {
-        spdlog::warn("{} is damaged and is made again: {}", file.string(), error.what());
+        base::log::warn("{} is damaged and is made again: {}", file.string(), error.what());
         return std::nullopt;
     }
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/reference/ray_scene.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +9,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
+#include "renderer/scene/scene_check.h"
 
 namespace obscura::renderer {
 namespace {
@@ -41,19 +41,6 @@ glm::dvec3 origin_of(const Scene& scene) {
     return {shift_of(low.x, high.x), shift_of(low.y, high.y), shift_of(low.z, high.z)};
 }
 
-void check_mesh(const Scene& scene, const Mesh& mesh) {
-    if (mesh.material >= scene.materials.size()) {
-        throw base::bad_input("scene {}, mesh {}: material {} of {}", scene.name, mesh.name,
-                              mesh.material, scene.materials.size());
-    }
-    for (const std::uint32_t index : mesh.indices) {
-        if (index >= mesh.vertices.size()) {
-            throw base::bad_input("scene {}, mesh {}: index {} of {} vertices", scene.name,
-                                  mesh.name, index, mesh.vertices.size());
-        }
-    }
-}
-
 /// Whether a triangle can be hit at all.
 bool has_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::dvec3 across =
@@ -65,22 +52,14 @@ void read_alpha(const Scene& scene, const Material& material, RayScene::Geometry
     geometry.opacity = material.opacity;
     geometry.alpha_cutoff = material.alpha_cutoff;
     if (material.albedo_texture == kNoTexture) return;
-    const auto count = static_cast<TextureIndex>(scene.textures.size());
-    if (material.albedo_texture < 0 || material.albedo_texture >= count) {
-        throw base::bad_input("scene {}, material {}: texture {} of {}", scene.name, material.name,
-                              material.albedo_texture, count);
-    }
+    check_textures(scene, material);
     const Texture& texture = scene.textures[static_cast<std::size_t>(material.albedo_texture)];
-    const std::size_t texels = texture.rgba.size() / 4;
-    if (texture.width < 1 || texture.height < 1 || texture.rgba.size() % 4 != 0 ||
-        texels !=
-            static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height)) {
-        throw base::bad_input("scene {}, texture {}: {} bytes for {}x{} texels", scene.name,
-                              texture.name, texture.rgba.size(), texture.width, texture.height);
-    }
+    check_texture(scene, texture);
     geometry.alpha_width = texture.width;
     geometry.alpha_height = texture.height;
-    for (std::size_t i = 0; i < texels; ++i) geometry.alpha.push_back(texture.rgba[4 * i + 3]);
+    for (std::size_t i = 3; i < texture.rgba.size(); i += 4) {
+        geometry.alpha.push_back(texture.rgba[i]);
+    }
 }
 
 /// OpenGL 4.6, 8.14.2: bilinear between the four nearest texel centres, wrapped.
@@ -182,11 +161,11 @@ RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
         if (skipped_ > 0) {
             // Nobody can see a triangle without area; coordinates that are no numbers are a
             // mistake.
-            spdlog::log(
-                broken_ > 0 ? spdlog::level::warn : spdlog::level::info,
-                "scene {}: of {} triangles {} without area and {} with coordinates that are "
-                "not finite are left out of ray tracing",
-                scene.name, scene.triangle_count(), skipped_ - broken_, broken_);
+            base::log::say(
+                broken_ > 0 ? base::log::Level::kWarning : base::log::Level::kInfo,
+                fmt::format("scene {}: of {} triangles {} without area and {} with coordinates "
+                            "that are not finite are left out of ray tracing",
+                            scene.name, scene.triangle_count(), skipped_ - broken_, broken_));
         }
         if (left == 0) {
             throw base::bad_input("scene {} has no surface that rays could meet", scene.name);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/crytek.h"
 #include "renderer/technique/sampling.h"
-#include "renderer/technique/seen_buffers.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {

@@ -8,7 +8,7 @@
 #include "app/commands/list.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::app {
 namespace {

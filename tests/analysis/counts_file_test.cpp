@@ -13,9 +13,10 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kHeader = "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
+const std::string kCountsHeader =
+    "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_counts(const std::string& text) {
     try {
         (void)parse_counts(text, "votes.csv");
     } catch (const base::Error& error) {
@@ -115,15 +116,15 @@ TEST(CountsFile, TakesColumnsInAnyOrderAByteOrderMarkAndCrlf) {
 
 TEST(CountsFile, TheNumberOfParticipantsIsUnknownWhereConditionsDiffer) {
     const Tally tally =
-        parse_counts(kHeader + "I,H1,low,A,B,1,2\nII,H1,low,A,B,1,3\n", "votes.csv");
+        parse_counts(kCountsHeader + "I,H1,low,A,B,1,2\nII,H1,low,A,B,1,3\n", "votes.csv");
     EXPECT_EQ(tally.n_participants.reason, "the conditions have different numbers of votes");
 }
 
 TEST(CountsFile, SaysEverythingThatIsWrongAtOnce) {
-    EXPECT_EQ(refusal_of(kHeader + "I,H1,low,A,B,-1,2.5\n"
-                                   "I,H1,lofty,A,,1e13,NaN\n"
-                                   "III,H1,low,A,B,1\n"
-                                   ",H1,low,A,B,,2.5\n"),
+    EXPECT_EQ(refusal_of_counts(kCountsHeader + "I,H1,low,A,B,-1,2.5\n"
+                                                "I,H1,lofty,A,,1e13,NaN\n"
+                                                "III,H1,low,A,B,1\n"
+                                                ",H1,low,A,B,,2.5\n"),
               "votes.csv:2: column count_a: '-1', allowed is a whole number 0 to 1000000000000\n"
               "votes.csv:2: column count_b: '2.5', allowed is a whole number 0 to 1000000000000 "
               "(line 5 too)\n"
@@ -151,23 +152,24 @@ TEST(CountsFile, NeedsOnlyTheVariantsAndTheirCountsInAnySpellingOfWholeNumbers) 
     EXPECT_EQ(tally.conditions[1].votes.a, 12);
     EXPECT_EQ(tally.conditions[1].votes.b, 100'000);
     EXPECT_THAT(tally.notes, ElementsAre("columns that are not read: remark"));
-    EXPECT_THAT(refusal_of("variant_a,variant_b,count_a,count_b\nx,y,1,2\nx,y,3,4\n"),
+    EXPECT_THAT(refusal_of_counts("variant_a,variant_b,count_a,count_b\nx,y,1,2\nx,y,3,4\n"),
                 HasSubstr("votes.csv:3: 'x - y' is already in line 2; where they are two "
                           "conditions, a column condition names each"));
-    EXPECT_THAT(refusal_of("variant_a,variant_b,count_a,count_b\nx,y,\"12,0\",2\n"),
+    EXPECT_THAT(refusal_of_counts("variant_a,variant_b,count_a,count_b\nx,y,\"12,0\",2\n"),
                 HasSubstr("'12,0'"))
         << "where commas part fields, one within a number is no decimal comma";
 }
 
 TEST(CountsFile, RefusesHeadersAndFilesThatAreNone) {
-    EXPECT_THAT(refusal_of(""), HasSubstr("votes.csv: the file is empty, allowed is a header with "
-                                          "variant_a, variant_b, count_a, count_b"));
-    EXPECT_EQ(refusal_of(kHeader), "votes.csv:1: there is no row below the header");
+    EXPECT_THAT(refusal_of_counts(""),
+                HasSubstr("votes.csv: the file is empty, allowed is a header with "
+                          "variant_a, variant_b, count_a, count_b"));
+    EXPECT_EQ(refusal_of_counts(kCountsHeader), "votes.csv:1: there is no row below the header");
     EXPECT_EQ(
-        refusal_of("condition,condition,votes a,variant_a,variant_b,count_b\nI,I,2,x,y,3\n"),
+        refusal_of_counts("condition,condition,votes a,variant_a,variant_b,count_b\nI,I,2,x,y,3\n"),
         "votes.csv:1: columns 1 ('condition') and 2 ('condition') are both condition, allowed "
         "is one");
-    EXPECT_EQ(refusal_of("condition,votes a,variant_a,variant_b,count_b\nI,2,x,y,3\n"),
+    EXPECT_EQ(refusal_of_counts("condition,votes a,variant_a,variant_b,count_b\nI,2,x,y,3\n"),
               "votes.csv:1: column count_a is missing; perhaps --map 'count_a=votes a'\n"
               "votes.csv:1: the file's columns are condition, votes a, variant_a, variant_b, "
               "count_b");

@@ -19,7 +19,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -29,10 +29,10 @@ using nlohmann::json;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-using Rows = std::vector<std::vector<std::string>>;
+using DatasetRows = std::vector<std::vector<std::string>>;
 
-Rows read_tsv(const fs::path& file) {
-    Rows rows;
+DatasetRows read_tsv(const fs::path& file) {
+    DatasetRows rows;
     std::istringstream lines(base::read_file(file));
     for (std::string line; std::getline(lines, line);) {
         auto& row = rows.emplace_back();
@@ -42,8 +42,8 @@ Rows read_tsv(const fs::path& file) {
     return rows;
 }
 
-Rows read_csv(const fs::path& file) {
-    Rows rows;
+DatasetRows read_csv(const fs::path& file) {
+    DatasetRows rows;
     for (const CsvRecord& record : parse_csv(base::read_file(file), file.string())) {
         rows.push_back(record.fields);
     }
@@ -138,8 +138,8 @@ TEST_F(DatasetExport, EachFormatHasTheStudyTheManifestAndCountsWhatIsInIt) {
 TEST_F(DatasetExport, TsvAndJsonLinesHoldTheCellsOfTheCsv) {
     options_.overwrite = true;
     write(ExportFormat::kCsv);
-    const Rows csv = read_csv(out_ / "trials.csv");
-    const Rows people = read_csv(out_ / "participants.csv");
+    const DatasetRows csv = read_csv(out_ / "trials.csv");
+    const DatasetRows people = read_csv(out_ / "participants.csv");
     write(ExportFormat::kTsv);
     EXPECT_FALSE(fs::exists(out_ / "trials.csv")) << "of the export that was replaced";
     const std::string tsv = base::read_file(out_ / "trials.tsv");
@@ -147,7 +147,7 @@ TEST_F(DatasetExport, TsvAndJsonLinesHoldTheCellsOfTheCsv) {
     EXPECT_THAT(base::read_file(out_ / "participants.tsv"),
                 HasSubstr("\"tab\tand\nline \"\"quoted\"\"\""));
     write(ExportFormat::kJsonLines);
-    const auto compare = [&](const fs::path& file, const Rows& rows) {
+    const auto compare = [&](const fs::path& file, const DatasetRows& rows) {
         std::istringstream lines(base::read_file(file));
         std::size_t number = 0;
         for (std::string line; std::getline(lines, line);) {
@@ -193,7 +193,7 @@ TEST_F(DatasetExport, BidsHasItsRequiredFilesAndNothingWithAnotherName) {
 
 TEST_F(DatasetExport, BidsParticipantsAreTheFoldersAndHideAgesFrom89) {
     write(ExportFormat::kBids);
-    const Rows rows = read_tsv(out_ / "participants.tsv");
+    const DatasetRows rows = read_tsv(out_ / "participants.tsv");
     ASSERT_EQ(rows.size(), 4U);
     const auto column = [&](const char* name) {
         return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) -
@@ -217,7 +217,7 @@ TEST_F(DatasetExport, BidsParticipantsAreTheFoldersAndHideAgesFrom89) {
 
 TEST_F(DatasetExport, BidsAnswersNameTheirColumnsAsTheStandardDoesAndDescribeThemAll) {
     write(ExportFormat::kBids);
-    const Rows rows = read_tsv(out_ / "sub-p0/beh/sub-p0_task-jakobsen2010_beh.tsv");
+    const DatasetRows rows = read_tsv(out_ / "sub-p0/beh/sub-p0_task-jakobsen2010_beh.tsv");
     ASSERT_EQ(rows.size(), 3U);
     const json sidecar = read_json(out_ / "task-jakobsen2010_beh.json");
     EXPECT_EQ(sidecar["TaskName"], "jakobsen2010");
@@ -236,7 +236,7 @@ TEST_F(DatasetExport, BidsAnswersNameTheirColumnsAsTheStandardDoesAndDescribeThe
     EXPECT_EQ(cells.at("second_stim_file"), "n/a") << "it is not in the manifest";
     EXPECT_TRUE(fs::exists(out_ / "stimuli" / cells.at("stim_file")));
     // Whoever gave no answer has a file with a header alone.
-    EXPECT_EQ(read_tsv(out_ / "sub-p2/beh/sub-p2_task-jakobsen2010_beh.tsv"), Rows{rows[0]});
+    EXPECT_EQ(read_tsv(out_ / "sub-p2/beh/sub-p2_task-jakobsen2010_beh.tsv"), DatasetRows{rows[0]});
 }
 
 TEST_F(DatasetExport, BidsSaysOnWhatEachSessionWasShown) {
@@ -288,7 +288,7 @@ TEST_F(DatasetExport, PsychDsMeasuresEveryColumnAndNumbersEveryRow) {
     int tables = 0;
     for (const auto& entry : fs::directory_iterator(out_ / "data")) {
         EXPECT_TRUE(std::regex_match(entry.path().filename().string(), name)) << entry.path();
-        const Rows rows = read_csv(entry.path());
+        const DatasetRows rows = read_csv(entry.path());
         for (const std::string& column : rows[0]) EXPECT_THAT(measured, Contains(column));
         EXPECT_EQ(rows[0][0], "row_id");
         std::set<std::string> ids;

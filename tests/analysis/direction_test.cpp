@@ -13,13 +13,14 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "analysis/conclusions/analysis.h"
 #include "analysis/counts_file.h"
-#include "analysis/report/analysis.h"
+#include "analysis/presentation/json_report.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/analysis/trials_text.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -31,7 +32,7 @@ using testing::HasSubstr;
 constexpr int kShuffles = 200;
 
 /// One row of a table of trials; what depends on the way round is kept apart.
-struct Row {
+struct AnswerRow {
     std::string before;  ///< cells before the pair
     std::string a;
     std::string b;
@@ -54,26 +55,26 @@ struct Row {
     }
 };
 
-struct Table {
+struct AnswerTable {
     std::string header;
     bool has_order = true;
-    std::vector<Row> rows;
+    std::vector<AnswerRow> rows;
 
     [[nodiscard]] std::string text() const {
         std::string text = header;
-        for (const Row& row : rows) text += row.text(has_order);
+        for (const AnswerRow& row : rows) text += row.text(has_order);
         return text;
     }
 };
 
-std::string json_of(const Table& table) {
+std::string direction_json(const AnswerTable& table) {
     return json_report(
         analyse(tally_of(parse_trials(table.text(), "t.csv"), "", Kind::kParticipant)));
 }
 
 /// Answers of 24 people, enough to draw anew from, or of 9, with catch trials, repeats, times and a
 /// rule of exclusion; the columns condition and study may be there.
-Table random_table(bool has_condition, bool has_study, bool has_order) {
+AnswerTable random_table(bool has_condition, bool has_study, bool has_order) {
     struct Shown {
         const char* condition;
         const char* scene;
@@ -91,7 +92,7 @@ Table random_table(bool has_condition, bool has_study, bool has_order) {
     std::bernoulli_distribution chooses_b(.85);
     std::bernoulli_distribution coin(.5);
     std::uniform_int_distribution<int> time_ms(400, 9000);
-    Table table;
+    AnswerTable table;
     table.has_order = has_order;
     table.header = fmt::format(
         "observer,session_id,scene,validity,hypothesis{}{},trial_index,kind,exclusion,condition_A,"
@@ -102,7 +103,7 @@ Table random_table(bool has_condition, bool has_study, bool has_order) {
     for (int who = 0; who < people; ++who) {
         const auto add = [&](const Shown& pair, int index, const char* kind,
                              const std::string& condition, const std::string& repeats) {
-            Row row;
+            AnswerRow row;
             row.before = fmt::format(
                 "P{},s{},{},{},{}{}{},{},{},\"{{\"\"min_repeat_agreement\"\": 0.5}}\",", who, who,
                 pair.scene, pair.level, pair.hypothesis, has_condition ? "," + condition : "",
@@ -155,17 +156,17 @@ TEST(Direction, OfTrialsHangsNeitherOnTheOrderOfRowsNorOnTheWayRoundOfAny) {
     for (const bool has_condition : {false, true}) {
         for (const bool has_study : {false, true}) {
             for (const bool has_order : {false, true}) {
-                Table table = random_table(has_condition, has_study, has_order);
-                const std::string expected = json_of(table);
+                AnswerTable table = random_table(has_condition, has_study, has_order);
+                const std::string expected = direction_json(table);
                 ASSERT_THAT(expected, HasSubstr("\"variant_b\": \"Blizzard8\""));
                 std::mt19937 random(7);
                 std::bernoulli_distribution coin(.5);
                 for (int i = 0; i < kShuffles / 8; ++i) {
                     std::shuffle(table.rows.begin(), table.rows.end(), random);
-                    for (Row& row : table.rows) {
+                    for (AnswerRow& row : table.rows) {
                         if (coin(random)) row.turn();
                     }
-                    ASSERT_EQ(json_of(table), expected)
+                    ASSERT_EQ(direction_json(table), expected)
                         << has_condition << has_study << has_order << " shuffle " << i;
                 }
             }

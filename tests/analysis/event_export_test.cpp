@@ -11,7 +11,7 @@
 #include "analysis/table/csv.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-using Row = std::map<std::string, std::string>;
+using EventRow = std::map<std::string, std::string>;
 
 /// A session that was left, cut off twice and closed, one that nothing disturbed, and an event of
 /// no session.
@@ -56,11 +56,11 @@ class EventExport : public testing::Test {
         (void)export_store(store_, options);
     }
 
-    [[nodiscard]] std::vector<Row> rows_of(const std::string& name) const {
+    [[nodiscard]] std::vector<EventRow> rows_of(const std::string& name) const {
         const auto records = parse_csv(base::read_file(out_ / name), name);
-        std::vector<Row> rows;
+        std::vector<EventRow> rows;
         for (std::size_t i = 1; i < records.size(); ++i) {
-            Row& row = rows.emplace_back();
+            EventRow& row = rows.emplace_back();
             for (std::size_t k = 0; k < records[i].fields.size(); ++k) {
                 row[records[0].fields.at(k)] = records[i].fields[k];
             }
@@ -75,7 +75,7 @@ class EventExport : public testing::Test {
 
 TEST_F(EventExport, EveryEventIsARowWithItsSessionAndTimeSinceThatBegan) {
     write(ExportFormat::kCsv);
-    const std::vector<Row> rows = rows_of("events.csv");
+    const std::vector<EventRow> rows = rows_of("events.csv");
     ASSERT_EQ(rows.size(), store_.events().size());
     EXPECT_EQ(rows[0].at("event"), "operator left");
     EXPECT_EQ(rows[0].at("session_id"), "");
@@ -94,7 +94,7 @@ TEST_F(EventExport, EveryEventIsARowWithItsSessionAndTimeSinceThatBegan) {
 
 TEST_F(EventExport, TheTableOfSessionsCountsThemByKind) {
     write(ExportFormat::kCsv);
-    const std::vector<Row> sessions = rows_of("sessions.csv");
+    const std::vector<EventRow> sessions = rows_of("sessions.csv");
     ASSERT_EQ(sessions.size(), 2U);
     const std::map<std::string, std::string> expected{
         {"times_resumed", "2"},    {"times_left", "1"},         {"times_cut_off", "2"},
@@ -144,11 +144,11 @@ TEST_F(EventExport, AnonymousEventsKeepTheirOrderAndLoseTheTimeOfDay) {
     EXPECT_THAT(text, AllOf(HasSubstr("lost focus"), Not(HasSubstr("2026-05-01")),
                             Not(HasSubstr("time_utc"))));
     std::vector<std::string> disturbed;
-    for (const Row& session : rows_of("sessions.csv")) {
+    for (const EventRow& session : rows_of("sessions.csv")) {
         if (session.at("times_lost_focus") == "2") disturbed.push_back(session.at("session_id"));
     }
     ASSERT_EQ(disturbed.size(), 1U);
-    for (const Row& row : rows_of("events.csv")) {
+    for (const EventRow& row : rows_of("events.csv")) {
         if (row.at("event") == "lost focus") {
             EXPECT_EQ(row.at("session_id"), disturbed[0]);
         }

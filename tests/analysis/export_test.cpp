@@ -15,7 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
 /// A table as a stranger reads it: by the names of its columns.
-using Table = std::vector<std::map<std::string, std::string>>;
+using ExportedTable = std::vector<std::map<std::string, std::string>>;
 
 class ExportTest : public testing::Test {
   protected:
@@ -41,9 +41,9 @@ class ExportTest : public testing::Test {
         (void)export_store(store, options);
     }
 
-    [[nodiscard]] Table read(const std::string& name) const {
+    [[nodiscard]] ExportedTable read(const std::string& name) const {
         const auto records = parse_csv(base::read_file(out / name), name);
-        Table table;
+        ExportedTable table;
         for (std::size_t i = 1; i < records.size(); ++i) {
             EXPECT_EQ(records[i].fields.size(), records[0].fields.size());
             auto& row = table.emplace_back();
@@ -273,7 +273,7 @@ TEST_F(ExportTest, ConditionsCountVotesOfCompletedSessionsByKind) {
     store.begin_session(tests::a_participant(3), tests::a_session(3));
     store.add_trial(tests::a_trial(3, 0));  // never completed: no vote
     write();
-    const Table conditions = read("conditions.csv");
+    const ExportedTable conditions = read("conditions.csv");
     ASSERT_EQ(conditions.size(), 14U);
     EXPECT_EQ(conditions[0].at("condition"), "C0");
     EXPECT_EQ(conditions[0].at("kind"), "participant");

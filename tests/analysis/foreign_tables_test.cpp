@@ -20,13 +20,13 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-Tally tally(const std::string& bytes, const std::vector<std::string>& map = {}) {
+Tally tally_of_foreign(const std::string& bytes, const std::vector<std::string>& map = {}) {
     return tally_of(parse_trials(bytes, "t.csv", ColumnMap(map)), "", Kind::kParticipant);
 }
 
-std::string refusal_of(const std::string& bytes, const std::vector<std::string>& map = {}) {
+std::string refusal_of_foreign(const std::string& bytes, const std::vector<std::string>& map = {}) {
     try {
-        (void)tally(bytes, map);
+        (void)tally_of_foreign(bytes, map);
     } catch (const base::Error& error) {
         EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
         return error.what();
@@ -95,12 +95,12 @@ TEST(ForeignTables, SeparatorsLineEndsAndEncodingsAreRecognised) {
           "sep=\t\n" + tabs, replaced(kPlain, "\n", "\r\n"), replaced(kPlain, "\n", "\r"),
           "\xEF\xBB\xBF" + replaced(kPlain, "\n", "\r\n"), "\n\r\n" + kPlain,
           replaced(kPlain, "\n", "\n\n")}) {
-        EXPECT_EQ(words(tally(bytes)), kMeant) << bytes;
-        EXPECT_THAT(tally(bytes).notes, IsEmpty()) << bytes;
+        EXPECT_EQ(words(tally_of_foreign(bytes)), kMeant) << bytes;
+        EXPECT_THAT(tally_of_foreign(bytes).notes, IsEmpty()) << bytes;
     }
     for (const bool little : {true, false}) {
         for (const bool mark : {true, false}) {
-            const Tally read = tally(utf16(replaced(tabs, "\n", "\r\n"), little, mark));
+            const Tally read = tally_of_foreign(utf16(replaced(tabs, "\n", "\r\n"), little, mark));
             EXPECT_EQ(words(read), kMeant);
             EXPECT_THAT(read.notes, ElementsAre(HasSubstr("UTF-16")));
         }
@@ -108,18 +108,20 @@ TEST(ForeignTables, SeparatorsLineEndsAndEncodingsAreRecognised) {
 }
 
 TEST(ForeignTables, Latin1IsConvertedAndSaidAndWhatIsNeitherIsRefusedWithARemedy) {
-    const Tally read = tally(replaced(kPlain, "hall", "G\xE5rd\x80"));
+    const Tally read = tally_of_foreign(replaced(kPlain, "hall", "G\xE5rd\x80"));
     EXPECT_EQ(read.conditions.at(0).id, "Gård€: none - blizzard");
     EXPECT_THAT(read.notes, ElementsAre(HasSubstr("Windows-1252")));
-    EXPECT_THAT(refusal_of(replaced(replaced(kPlain, "hall", "Gård"), "yard", "G\xE5rd")),
+    EXPECT_THAT(refusal_of_foreign(replaced(replaced(kPlain, "hall", "Gård"), "yard", "G\xE5rd")),
                 AllOf(HasSubstr("t.csv:4: the text is not UTF-8"), HasSubstr("save it as UTF-8")));
-    EXPECT_THAT(refusal_of("\xEF\xBB\xBF" + replaced(kPlain, "hall", "G\xE5rd")),
+    EXPECT_THAT(refusal_of_foreign("\xEF\xBB\xBF" + replaced(kPlain, "hall", "G\xE5rd")),
                 HasSubstr("t.csv:2: the text is not UTF-8"));
-    EXPECT_THAT(refusal_of(replaced(replaced(kPlain, "hall", "G\x8Crd"), "\n", "\r")),
+    EXPECT_THAT(refusal_of_foreign(replaced(replaced(kPlain, "hall", "G\x8Crd"), "\n", "\r")),
                 AllOf(HasSubstr("t.csv:2: "), HasSubstr("Mac Roman")));
-    EXPECT_THAT(refusal_of(replaced(kPlain, "yard", "ya\x81rd")), HasSubstr("save it as UTF-8"));
-    EXPECT_THAT(refusal_of(kPlain + std::string("\0\0", 2)), HasSubstr("t.csv:5: there is a NUL"));
-    EXPECT_THAT(refusal_of("\xFF\xFE" + std::string("o\0b\0\0\xD8s", 7)),
+    EXPECT_THAT(refusal_of_foreign(replaced(kPlain, "yard", "ya\x81rd")),
+                HasSubstr("save it as UTF-8"));
+    EXPECT_THAT(refusal_of_foreign(kPlain + std::string("\0\0", 2)),
+                HasSubstr("t.csv:5: there is a NUL"));
+    EXPECT_THAT(refusal_of_foreign("\xFF\xFE" + std::string("o\0b\0\0\xD8s", 7)),
                 HasSubstr("taken for UTF-16LE"));
 }
 
@@ -137,22 +139,23 @@ TEST(ForeignTables, ColumnsThatAreNotNeededDoNoHarmAndAreNamedOnce) {
           "Observer,SCENE,Condition.A,condition B,isASelected,Response Time\n" +
               kPlain.substr(kPlain.find('\n') + 1),
           kPlain + ",,,,,\n"}) {
-        EXPECT_EQ(words(tally(bytes)), kMeant) << bytes;
-        EXPECT_THAT(tally(bytes).notes, IsEmpty()) << bytes;
+        EXPECT_EQ(words(tally_of_foreign(bytes)), kMeant) << bytes;
+        EXPECT_THAT(tally_of_foreign(bytes).notes, IsEmpty()) << bytes;
     }
-    const Tally wide = tally(each_line([](const std::string& line, int row) {
+    const Tally wide = tally_of_foreign(each_line([](const std::string& line, int row) {
         return line + (row == 0 ? ",age,age,criterion" : ",23,\"f, m\",quality");
     }));
     EXPECT_EQ(words(wide), kMeant);
     EXPECT_THAT(wide.notes, ElementsAre("columns that are not read: age, age, criterion"));
-    const Tally numbered = tally(each_line([](const std::string& line, int row) {
+    const Tally numbered = tally_of_foreign(each_line([](const std::string& line, int row) {
         return row == 0 ? line : std::to_string(row) + "," + line;
     }));
     EXPECT_EQ(words(numbered), kMeant);
     EXPECT_THAT(numbered.notes, ElementsAre(HasSubstr("each row begins with a number")));
-    EXPECT_THAT(refusal_of(kPlain + "Smith, Ann,hall,none,crytek,0,1\n"),
+    EXPECT_THAT(refusal_of_foreign(kPlain + "Smith, Ann,hall,none,crytek,0,1\n"),
                 HasSubstr("t.csv:5: the row has 7 fields, the header has 6"));
-    EXPECT_THAT(refusal_of(replaced(kPlain, "P0", "Smith, P0")), HasSubstr("the row has 7 fields"));
+    EXPECT_THAT(refusal_of_foreign(replaced(kPlain, "P0", "Smith, P0")),
+                HasSubstr("the row has 7 fields"));
 }
 
 TEST(ForeignTables, EverySpellingOfYesNoAndMissingIsKnown) {
@@ -163,23 +166,24 @@ TEST(ForeignTables, EverySpellingOfYesNoAndMissingIsKnown) {
     for (const auto& [yes, no] : kSpellings) {
         const std::string bytes = replaced(replaced(kPlain, ",1,", fmt::format(",{},", yes)), ",0,",
                                            fmt::format(",{},", no));
-        EXPECT_EQ(words(tally(bytes)), kMeant) << bytes;
+        EXPECT_EQ(words(tally_of_foreign(bytes)), kMeant) << bytes;
     }
     for (const char* missing : {"", "NA", "N/A", "n/a", "NaN", "nan", "None", "null", "NULL",
                                 "<NA>", "#N/A", "undefined", ".", "-", "--"}) {
-        EXPECT_EQ(words(tally(replaced(kPlain, "1.455", missing))), replaced(kMeant, "1.455", "0"))
+        EXPECT_EQ(words(tally_of_foreign(replaced(kPlain, "1.455", missing))),
+                  replaced(kMeant, "1.455", "0"))
             << missing;
-        const Tally unanswered =
-            tally(kPlain + fmt::format("P09,hall,none,crytek,{},1\nP02,hall,none,crytek,{},1\n",
-                                       missing, missing));
+        const Tally unanswered = tally_of_foreign(
+            kPlain + fmt::format("P09,hall,none,crytek,{},1\nP02,hall,none,crytek,{},1\n", missing,
+                                 missing));
         EXPECT_EQ(words(unanswered), kMeant) << missing;
         EXPECT_THAT(unanswered.notes,
                     ElementsAre("2 rows are passed over, without an answer (lines 5, 6)"))
             << missing;
     }
-    EXPECT_EQ(tally(replaced(kPlain, "none", "None")).conditions.at(0).variant_a, "None")
+    EXPECT_EQ(tally_of_foreign(replaced(kPlain, "none", "None")).conditions.at(0).variant_a, "None")
         << "a variant's name";
-    EXPECT_THAT(refusal_of(replaced(kSemicolons, "2,832", "2.832")), HasSubstr("t.csv:4: "))
+    EXPECT_THAT(refusal_of_foreign(replaced(kSemicolons, "2,832", "2.832")), HasSubstr("t.csv:4: "))
         << "a decimal comma and a decimal point in one table";
 }
 
@@ -188,7 +192,7 @@ TEST(ForeignTables, ARefusalNamesTheLikeliestColumnsAndMapTakesThem) {
                                                          "condition_A", "stimulus_left"),
                                                 "condition_B", "stimulus_right"),
                                        "is_A_selected", "picked_left");
-    EXPECT_EQ(refusal_of(bytes),
+    EXPECT_EQ(refusal_of_foreign(bytes),
               "t.csv:1: column observer is missing; perhaps --map 'observer=Subject ID'\n"
               "t.csv:1: column condition_A is missing; perhaps --map condition_A=stimulus_left\n"
               "t.csv:1: column condition_B is missing; perhaps --map condition_B=stimulus_right\n"
@@ -198,20 +202,23 @@ TEST(ForeignTables, ARefusalNamesTheLikeliestColumnsAndMapTakesThem) {
               "picked_left, response_time");
     std::vector<std::string> map{"observer=subject id", "condition_A=stimulus_left",
                                  "condition_B=stimulus_right", "is_A_selected=picked_left"};
-    EXPECT_EQ(words(tally(bytes, map)), kMeant);
-    EXPECT_EQ(tally(kPlain, {"scene="}).conditions.at(0).id, "crytek - blizzard");
-    EXPECT_EQ(refusal_of(kPlain, {"observer=nobody"}),
+    EXPECT_EQ(words(tally_of_foreign(bytes, map)), kMeant);
+    EXPECT_EQ(tally_of_foreign(kPlain, {"scene="}).conditions.at(0).id, "crytek - blizzard");
+    EXPECT_EQ(refusal_of_foreign(kPlain, {"observer=nobody"}),
               "t.csv:1: --map observer=nobody: there is no column 'nobody'\n"
               "t.csv:1: the file's columns are observer, scene, condition_A, condition_B, "
               "is_A_selected, response_time");
-    EXPECT_THAT(refusal_of(kPlain, {"winner=scene"}), HasSubstr("there is no column winner"));
-    EXPECT_THAT(refusal_of(kPlain, {"observer"}), HasSubstr("allowed is OURS=THEIRS"));
-    EXPECT_THAT(refusal_of(kPlain, {"scene=a", "Scene=b"}), HasSubstr("is named twice"));
-    EXPECT_THAT(refusal_of("observer,Observer.,condition_A,condition_B,is_A_selected\na,b,x,y,1\n"),
-                Not(HasSubstr("both observer")))
+    EXPECT_THAT(refusal_of_foreign(kPlain, {"winner=scene"}),
+                HasSubstr("there is no column winner"));
+    EXPECT_THAT(refusal_of_foreign(kPlain, {"observer"}), HasSubstr("allowed is OURS=THEIRS"));
+    EXPECT_THAT(refusal_of_foreign(kPlain, {"scene=a", "Scene=b"}), HasSubstr("is named twice"));
+    EXPECT_THAT(
+        refusal_of_foreign("observer,Observer.,condition_A,condition_B,is_A_selected\na,b,x,y,1\n"),
+        Not(HasSubstr("both observer")))
         << "just our name comes first";
-    EXPECT_THAT(refusal_of("Observer,observer.,condition_A,condition_B,is_A_selected\na,b,x,y,1\n"),
-                HasSubstr("columns 1 ('Observer') and 2 ('observer.') are both observer"));
+    EXPECT_THAT(
+        refusal_of_foreign("Observer,observer.,condition_A,condition_B,is_A_selected\na,b,x,y,1\n"),
+        HasSubstr("columns 1 ('Observer') and 2 ('observer.') are both observer"));
 }
 
 /// The choices of kPlain in a column of their own, by whether A was chosen.
@@ -226,21 +233,22 @@ TEST(ForeignTables, TheChosenVariantIsReadWhereItIsClearAndRefusedWhereItIsNot) 
                                    "blizzard,none,BLIZZARD"),
                           "blizzard,crytek,?", "blizzard,crytek,blizzard"),
                  "?", "");
-    EXPECT_EQ(words(tally(named)), kMeant);
-    EXPECT_EQ(words(tally(with_choices("chosen", "A", "b"))), kMeant);
-    EXPECT_EQ(words(tally(with_choices("chosen", "1", "2"))), kMeant);
-    EXPECT_EQ(words(tally(with_choices("chosen", "1.0", "2.0"))), kMeant);
-    EXPECT_EQ(words(tally(with_choices("chose_B", "no", "yes"))), kMeant);
+    EXPECT_EQ(words(tally_of_foreign(named)), kMeant);
+    EXPECT_EQ(words(tally_of_foreign(with_choices("chosen", "A", "b"))), kMeant);
+    EXPECT_EQ(words(tally_of_foreign(with_choices("chosen", "1", "2"))), kMeant);
+    EXPECT_EQ(words(tally_of_foreign(with_choices("chosen", "1.0", "2.0"))), kMeant);
+    EXPECT_EQ(words(tally_of_foreign(with_choices("chose_B", "no", "yes"))), kMeant);
     EXPECT_THAT(
-        refusal_of(with_choices("chosen", "left", "right")),
+        refusal_of_foreign(with_choices("chosen", "left", "right")),
         AllOf(HasSubstr("t.csv:2: column chosen: 'right'"), HasSubstr("left and right are")));
-    EXPECT_THAT(refusal_of(with_choices("chosen", "1", "0")),
+    EXPECT_THAT(refusal_of_foreign(with_choices("chosen", "1", "0")),
                 AllOf(HasSubstr("t.csv:2: column chosen: '0'"),
                       HasSubstr("--map is_A_selected=chosen if 1 means A")));
-    EXPECT_THAT(refusal_of(with_choices("chosen", "1", "1")), HasSubstr("no number but 1"));
-    EXPECT_THAT(refusal_of(with_choices("chosen", "first", "second")), HasSubstr("'second'"));
-    EXPECT_THAT(refusal_of(with_choices("chosen", "A", "neither")), HasSubstr("'neither'"));
-    EXPECT_THAT(refusal_of(with_choices("is_A_selected", "left", "right")),
+    EXPECT_THAT(refusal_of_foreign(with_choices("chosen", "1", "1")), HasSubstr("no number but 1"));
+    EXPECT_THAT(refusal_of_foreign(with_choices("chosen", "first", "second")),
+                HasSubstr("'second'"));
+    EXPECT_THAT(refusal_of_foreign(with_choices("chosen", "A", "neither")), HasSubstr("'neither'"));
+    EXPECT_THAT(refusal_of_foreign(with_choices("is_A_selected", "left", "right")),
                 HasSubstr("--map chosen=is_A_selected"));
 
     const std::vector<std::string> sides{"condition_A=left.png", "condition_B=right.png"};
@@ -248,20 +256,22 @@ TEST(ForeignTables, TheChosenVariantIsReadWhereItIsClearAndRefusedWhereItIsNot) 
         return replaced(replaced(std::move(bytes), "condition_A", a), "condition_B", b);
     };
     for (const auto& [left, right] : {std::pair("left", "right"), {"ArrowLeft", "arrow_right"}}) {
-        EXPECT_EQ(words(tally(sided(with_choices("chosen", left, right), "left.png", "right.png"),
-                              sides)),
+        EXPECT_EQ(words(tally_of_foreign(
+                      sided(with_choices("chosen", left, right), "left.png", "right.png"), sides)),
                   kMeant);
-        EXPECT_EQ(words(tally(sided(with_choices("chosen", right, left), "right.png", "left.png"),
-                              {"condition_A=right.png", "condition_B=left.png"})),
+        EXPECT_EQ(words(tally_of_foreign(
+                      sided(with_choices("chosen", right, left), "right.png", "left.png"),
+                      {"condition_A=right.png", "condition_B=left.png"})),
                   kMeant);
     }
-    EXPECT_EQ(words(tally(sided(with_choices("chosen", "0", "1"), "image[0]", "image[1]"),
-                          {"condition_A=image[0]", "condition_B=image[1]"})),
-              kMeant);
+    EXPECT_EQ(
+        words(tally_of_foreign(sided(with_choices("chosen", "0", "1"), "image[0]", "image[1]"),
+                               {"condition_A=image[0]", "condition_B=image[1]"})),
+        kMeant);
     const std::string ordered = each_line([](const std::string& line, int row) {
         return line + (row == 0 ? ",first_shown" : row == 1 ? ",B" : ",A");
     });
-    EXPECT_EQ(words(tally(
+    EXPECT_EQ(words(tally_of_foreign(
                   replaced(replaced(replaced(ordered, "is_A_selected", "chosen"), ",1,", ",first,"),
                            ",0,", ",first,"))),
               kMeant);
@@ -279,7 +289,7 @@ TEST(ForeignTables, JsonOfJspsychIsReadAndTrialsOfOtherKindsAreCountedAloud) {
     for (const std::string& bytes :
          {"[" + welcome + ",\n" + trials + "]", "[[" + welcome + "],\n[" + trials + "]]",
           welcome + "\n" + trials}) {
-        const Tally read = tally(bytes, map);
+        const Tally read = tally_of_foreign(bytes, map);
         EXPECT_EQ(words(read),
                   "1 people; none - blizzard: none 0:1 blizzard, 0 s; none - crytek: none 0:1 "
                   "crytek, 1.455 s");
@@ -288,26 +298,29 @@ TEST(ForeignTables, JsonOfJspsychIsReadAndTrialsOfOtherKindsAreCountedAloud) {
                                 "1 row is passed over, without the two variants (line 1)"));
     }
     EXPECT_THAT(
-        refusal_of("[" + trials + "]"),
+        refusal_of_foreign("[" + trials + "]"),
         AllOf(HasSubstr("--map observer=subject"), HasSubstr("--map 'condition_A=stimulus[0]'"),
               HasSubstr("--map 'condition_B=stimulus[1]'"), HasSubstr("--map chosen=response")));
-    EXPECT_THAT(refusal_of("[" + welcome + "]", map),
+    EXPECT_THAT(refusal_of_foreign("[" + welcome + "]", map),
                 HasSubstr("there is no column 'stimulus[0]'"));
-    EXPECT_EQ(words(tally(replaced(kPlain, "observer", "[name]"), {"observer=[name]"})), kMeant);
-    EXPECT_THAT(refusal_of("[1, 2]"),
+    EXPECT_EQ(words(tally_of_foreign(replaced(kPlain, "observer", "[name]"), {"observer=[name]"})),
+              kMeant);
+    EXPECT_THAT(refusal_of_foreign("[1, 2]"),
                 HasSubstr("t.csv:1: '1, 2]' stands where JSON has an object"));
-    EXPECT_THAT(refusal_of("[{\"a\": 1},\n{\"b\": tru}]"), HasSubstr("t.csv:2: '{\"b\": tru}'"));
-    EXPECT_THAT(refusal_of("[\n{\"a\": {"), HasSubstr("t.csv:2: the object that begins here"));
-    EXPECT_THAT(refusal_of("[{\"a\": 1}"), HasSubstr("ends within an array"));
-    EXPECT_THAT(refusal_of("{\"a\": " + std::string(10'000, '[')), HasSubstr("too deep"));
+    EXPECT_THAT(refusal_of_foreign("[{\"a\": 1},\n{\"b\": tru}]"),
+                HasSubstr("t.csv:2: '{\"b\": tru}'"));
+    EXPECT_THAT(refusal_of_foreign("[\n{\"a\": {"),
+                HasSubstr("t.csv:2: the object that begins here"));
+    EXPECT_THAT(refusal_of_foreign("[{\"a\": 1}"), HasSubstr("ends within an array"));
+    EXPECT_THAT(refusal_of_foreign("{\"a\": " + std::string(10'000, '[')), HasSubstr("too deep"));
 }
 
 TEST(ForeignTables, RowsThatAreEqualAndRepeatedVotesAreSaid) {
-    EXPECT_THAT(tally(kPlain + "P01,hall,none,crytek,1,3\n").notes,
+    EXPECT_THAT(tally_of_foreign(kPlain + "P01,hall,none,crytek,1,3\n").notes,
                 ElementsAre(AllOf(HasSubstr("1 vote is more than the first of a participant"),
                                   HasSubstr("line 5"), HasSubstr("P01, hall: none - crytek"),
                                   HasSubstr("counts as a vote of its own"))));
-    const Tally twice = tally(kPlain + "P02,yard,blizzard,crytek,1,2.832\n");
+    const Tally twice = tally_of_foreign(kPlain + "P02,yard,blizzard,crytek,1,2.832\n");
     EXPECT_EQ(twice.conditions.at(2).votes.b, 2);
     EXPECT_THAT(twice.notes, ElementsAre(HasSubstr("1 vote is"),
                                          AllOf(HasSubstr("1 row is equal in every column"),
@@ -316,8 +329,10 @@ TEST(ForeignTables, RowsThatAreEqualAndRepeatedVotesAreSaid) {
 
 TEST(ForeignTables, MillisecondsTakenForSecondsAreSaid) {
     const std::string bytes = replaced(kPlain, ".", "");
-    EXPECT_THAT(tally(bytes).notes, ElementsAre(HasSubstr("--map response_time_ms=response_time")));
-    EXPECT_EQ(words(tally(bytes, {"response_time_ms=response_time", "response_time="})), kMeant);
+    EXPECT_THAT(tally_of_foreign(bytes).notes,
+                ElementsAre(HasSubstr("--map response_time_ms=response_time")));
+    EXPECT_EQ(words(tally_of_foreign(bytes, {"response_time_ms=response_time", "response_time="})),
+              kMeant);
 }
 
 }  // namespace

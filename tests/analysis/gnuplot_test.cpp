@@ -8,7 +8,7 @@
 
 #include "analysis/plot/child_process.h"
 #include "renderer/base/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/conclusions/analysis.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/analysis.h"
 #include "tests/analysis/records_for_test.h"
 
 namespace obscura::analysis {

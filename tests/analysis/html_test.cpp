@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/report/html.h"
+#include "analysis/presentation/html.h"
 
 #include <gmock/gmock.h>
 
-#include "analysis/report/html_table.h"
+#include "analysis/presentation/html_table.h"
 
 namespace obscura::analysis {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/report/measurement_table.h"
+#include "analysis/conclusions/measurement_table.h"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string refusal_of(const std::string& text) {
+std::string refusal_of_measurement(const std::string& text) {
     try {
         (void)parse_measurement(text, "m.csv");
     } catch (const base::Error& error) {
@@ -46,15 +46,15 @@ TEST(Measurement, IsReadByTheNamesOfItsColumnsInAnyOrder) {
 TEST(Measurement, NamesEveryWrongCellWithItsLine) {
     const std::string header = "scene,camera,validity,technique,samples,ms_median,rmse,on_front\n";
     EXPECT_THAT(
-        refusal_of(header + "a,b,low,hbao,1.5,nan,-1,maybe\na,b,low,hbao,4,1\n"),
+        refusal_of_measurement(header + "a,b,low,hbao,1.5,nan,-1,maybe\na,b,low,hbao,4,1\n"),
         AllOf(HasSubstr("m.csv:2: samples is \"1.5\""), HasSubstr("m.csv:2: ms_median is \"nan\""),
               HasSubstr("m.csv:2: rmse is \"-1\", allowed is a finite number of at least 0"),
               HasSubstr("m.csv:2: on_front is \"maybe\""),
               HasSubstr("m.csv:3: all is \"6 cells\", allowed is 8 cells")));
-    EXPECT_THAT(refusal_of("scene,camera,scene\n"),
+    EXPECT_THAT(refusal_of_measurement("scene,camera,scene\n"),
                 AllOf(HasSubstr("m.csv:1: technique is \"\", allowed is the column is needed"),
                       HasSubstr("each column once")));
-    EXPECT_THAT(refusal_of(""), HasSubstr("m.csv:1: the file is empty"));
+    EXPECT_THAT(refusal_of_measurement(""), HasSubstr("m.csv:1: the file is empty"));
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/conclusions/analysis.h"
 #include "analysis/counts_file.h"
-#include "analysis/report/analysis.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
 
@@ -17,14 +19,14 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kHeader =
+const std::string kParticipantsHeader =
     "observer,session_id,trial_index,condition,hypothesis,validity,condition_A,condition_B,"
     "is_A_selected,first_shown,kind,expected,repeats,exclusion,response_time\n";
 
 /// Twenty observers of two conditions; the last four fail their catch trial and answer fast. Each
 /// repeats condition I: the first ten choose the same again.
 std::string attentive_and_not(const std::string& rule) {
-    std::string text = kHeader;
+    std::string text = kParticipantsHeader;
     for (int who = 0; who < 20; ++who) {
         const bool careless = who >= 16;
         const std::string begin = fmt::format("o{},s{},", who, who);
@@ -107,7 +109,7 @@ TEST(ResponseTimes, AreOneForEachParticipant) {
 }
 
 TEST(Learning, FindsTheTrendThatIsThere) {
-    std::string text = kHeader;
+    std::string text = kParticipantsHeader;
     for (int who = 0; who < 12; ++who) {
         for (int i = 0; i < 6; ++i) {
             text += fmt::format("o{},s{},{},C{},,low,None,X24,{},A,participant,,,,{}\n", who, who,
@@ -146,7 +148,7 @@ TEST(Verdicts, OfThePublishedVotesSayThatTheyAreTooFew) {
 
 /// `observers` with one vote on each of two conditions, `of_ten` of every ten for B.
 Verdict verdict_on(int observers, int of_ten) {
-    std::string text = kHeader;
+    std::string text = kParticipantsHeader;
     for (int who = 0; who < observers; ++who) {
         for (int i = 0; i < 2; ++i) {
             text += fmt::format("o{},s{},{},C{},H1,low,None,X24,{},A,participant,,,,\n", who, who,

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/report/preference_and_cost.h"
+#include "analysis/conclusions/preference_and_cost.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "analysis/counts_file.h"
+#include "analysis/presentation/report.h"
 
 namespace obscura::analysis {
 namespace {
@@ -55,7 +56,8 @@ TEST(PreferenceAndCost, JoinsByViewTechniqueAndSamples) {
         "atrium,nave,high,none,0,0,0.3,none,gpu,0,\n"
         "atrium,nave,high,blizzard,24,2,0.1,separable,gpu,0,\n"
         "relic,nave,high,blizzard,24,9,0.9,separable,gpu,0,\n");
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     ASSERT_EQ(joined.pairs.size(), 2U);
     EXPECT_DOUBLE_EQ(*joined.pairs[0].error_difference, 0.1 - 0.3);
     EXPECT_DOUBLE_EQ(*joined.pairs[1].ms_difference, 2.0);
@@ -79,7 +81,8 @@ TEST(PreferenceAndCost, PrefersTheRowThatTheMeasurementSaysWasShown) {
         "atrium,nave,high,blizzard,24,2,0.13,box4,gpu,0,VI\n"
         "atrium,nave,high,blizzard,24,2,0.14,separable,gpu,1,\n"
         "atrium,nave,high,blizzard,24,2,0.15,separable,gpu,0,\n");
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     ASSERT_EQ(joined.pairs.size(), 2U);
     EXPECT_EQ(*joined.pairs[0].b.rmse, 0.12) << "named for II; III is another condition";
     EXPECT_EQ(*joined.pairs[1].b.rmse, 0.15) << "neither another filter nor fitted";
@@ -102,7 +105,8 @@ TEST(PreferenceAndCost, KnowsAViewByTheStudysSceneAndASettingByItsSide) {
         "right,yard,study,high,blizzard,24,1,0.4,V a\n",
         "m.csv");
     for (ConditionResult& result : input.analysis.conditions) result.condition.validity = "";
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     ASSERT_EQ(joined.pairs.size(), 2U);
     EXPECT_EQ(*joined.pairs[0].a.rmse, 0.1);
     EXPECT_EQ(*joined.pairs[0].b.rmse, 0.2);
@@ -116,7 +120,8 @@ TEST(PreferenceAndCost, NeverMixesDevices) {
         "atrium,nave,moderate,blizzard,24,2,0.1,separable,two,0,\n"
         "atrium,nave,high,none,0,0,0.3,none,two,0,\n"
         "atrium,nave,high,blizzard,24,2,0.1,separable,two,0,\n");
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     EXPECT_EQ(joined.device, "two");
     ASSERT_EQ(joined.pairs.size(), 1U);
     EXPECT_EQ(joined.pairs[0].condition->condition.id, "V");
@@ -127,7 +132,8 @@ TEST(PreferenceAndCost, NeverMixesDevices) {
 TEST(PreferenceAndCost, SaysWhichConditionsCannotBeJoined) {
     ReportInput input = two_conditions("atrium,nave,moderate,none,0,0,0.3,none,gpu,0,\n");
     input.images.clear();
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     EXPECT_TRUE(joined.pairs.empty());
     ASSERT_EQ(joined.not_joined.size(), 2U);
     EXPECT_THAT(joined.not_joined[0], HasSubstr("it is not known how A (None) was rendered"));
@@ -138,7 +144,8 @@ TEST(PreferenceAndCost, AValueThatWasNotMeasuredIsNoDifferenceOfZero) {
     const ReportInput input = two_conditions(
         "atrium,nave,moderate,none,0,,0.3,none,gpu,0,\n"
         "atrium,nave,moderate,blizzard,24,2,,separable,gpu,0,\n");
-    const PreferenceAndCost joined = preference_and_cost(input);
+    const PreferenceAndCost joined =
+        preference_and_cost(input.analysis.conditions, input.images, *input.measurement);
     ASSERT_EQ(joined.pairs.size(), 1U);
     EXPECT_EQ(joined.pairs[0].error_difference.reason, "B: not measured");
     EXPECT_EQ(joined.pairs[0].ms_difference.reason, "A: not measured");

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
+#include "analysis/presentation/report.h"
 #include "analysis/published_votes.h"
-#include "analysis/report/published_study.h"
-#include "analysis/report/report.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -21,7 +21,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kHeader = "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
+const std::string kPageHeader =
+    "condition,hypothesis,validity,variant_a,variant_b,count_a,count_b\n";
 
 ReportInput input_of(const Tally& tally) {
     ReportInput input;
@@ -100,15 +101,15 @@ TEST(Report, TellsThePublishedVotesFromAnyOthers) {
 }
 
 TEST(Report, HoldsWithOneConditionWithFortyAndWithoutAnswers) {
-    std::string forty = kHeader;
+    std::string forty = kPageHeader;
     for (int i = 1; i <= 40; ++i) {
         forty += "C" + std::to_string(i) + ",H1," + (i % 2 == 0 ? "low" : "high") + ",Variant" +
                  std::to_string(i) + ",None," + std::to_string(i) + ",20\n";
     }
     for (const std::string& votes :
-         {kHeader + "only,H1,low,A,B,3,5\n", kHeader + "only,,low,A,B,0,0\n",
-          kHeader + "one,H1,low,A,B,0,9\ntwo,H1,low,A,B,9,0\n",
-          kHeader + "I,H1,low,A,B,500000000,500100000\n", forty}) {
+         {kPageHeader + "only,H1,low,A,B,3,5\n", kPageHeader + "only,,low,A,B,0,0\n",
+          kPageHeader + "one,H1,low,A,B,0,9\ntwo,H1,low,A,B,9,0\n",
+          kPageHeader + "I,H1,low,A,B,500000000,500100000\n", forty}) {
         const auto files = report_files(input_of(parse_counts(votes, "votes.csv")));
         EXPECT_THAT(file_of(files, "plots/shares.svg"), HasSubstr("</svg>"));
         const std::string page = file_of(files, "report.md");
@@ -117,7 +118,7 @@ TEST(Report, HoldsWithOneConditionWithFortyAndWithoutAnswers) {
 }
 
 TEST(Report, DrawsNoMoreRowsThanAnyoneCanReadAndSaysSo) {
-    std::string many = kHeader;
+    std::string many = kPageHeader;
     for (int i = 1; i <= 150; ++i) many += fmt::format("C{},H1,low,A{},B,3,5\n", i, i);
     const auto files = report_files(input_of(parse_counts(many, "votes.csv")));
     EXPECT_THAT(file_of(files, "plots/shares.svg"),
@@ -126,8 +127,8 @@ TEST(Report, DrawsNoMoreRowsThanAnyoneCanReadAndSaysSo) {
 }
 
 TEST(Report, NamesConditionsThatNobodyAnswered) {
-    const auto files = report_files(
-        input_of(parse_counts(kHeader + "I,H1,low,A,B,3,5\nII,H2,high,A,B,0,0\n", "votes.csv")));
+    const auto files = report_files(input_of(
+        parse_counts(kPageHeader + "I,H1,low,A,B,3,5\nII,H2,high,A,B,0,0\n", "votes.csv")));
     EXPECT_THAT(file_of(files, "report.md"), HasSubstr("Nobody answered II"));
 }
 

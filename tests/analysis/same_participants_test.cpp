@@ -14,35 +14,35 @@
 namespace obscura::analysis {
 namespace {
 
-using Rows = std::vector<std::vector<bool>>;
+using VoteRows = std::vector<std::vector<bool>>;
 
 TEST(CochranQ, MeetsTheExampleOfNineParticipants) {
     // Q = 4.2, df 3, p .240662 (R 4.2.2, from Cochran 1950's formula).
-    const auto q = cochran_q(Rows{{1, 0, 1, 1},
-                                  {0, 1, 1, 1},
-                                  {1, 1, 1, 0},
-                                  {0, 1, 0, 0},
-                                  {0, 1, 0, 0},
-                                  {1, 0, 1, 0},
-                                  {0, 1, 0, 0},
-                                  {1, 1, 1, 1},
-                                  {0, 1, 0, 0}});
+    const auto q = cochran_q(VoteRows{{1, 0, 1, 1},
+                                      {0, 1, 1, 1},
+                                      {1, 1, 1, 0},
+                                      {0, 1, 0, 0},
+                                      {0, 1, 0, 0},
+                                      {1, 0, 1, 0},
+                                      {0, 1, 0, 0},
+                                      {1, 1, 1, 1},
+                                      {0, 1, 0, 0}});
     EXPECT_NEAR(q->statistic, 4.2, 1e-12);
     EXPECT_EQ(q->df, 3);
     EXPECT_NEAR(q->p.p, .240662, 1e-6);
 }
 
 TEST(CochranQ, OfTwoConditionsIsMcNemarsStatistic) {
-    const auto q = cochran_q(Rows{{1, 0}, {1, 0}, {1, 0}, {0, 1}, {1, 1}, {0, 0}});
+    const auto q = cochran_q(VoteRows{{1, 0}, {1, 0}, {1, 0}, {0, 1}, {1, 1}, {0, 0}});
     EXPECT_NEAR(q->statistic, mcnemar({1, 3})->uncorrected.statistic, 1e-12);
 }
 
 TEST(CochranQ, SaysWhyItHasNoValue) {
     EXPECT_EQ(cochran_q({}).reason, "no participants");
-    EXPECT_EQ(cochran_q(Rows{{true}, {false}}).reason, "fewer than two conditions");
-    EXPECT_EQ(cochran_q(Rows{{1, 1, 1}, {0, 0, 0}}).reason,
+    EXPECT_EQ(cochran_q(VoteRows{{true}, {false}}).reason, "fewer than two conditions");
+    EXPECT_EQ(cochran_q(VoteRows{{1, 1, 1}, {0, 0, 0}}).reason,
               "every participant answered alike under all conditions");
-    EXPECT_THROW((void)cochran_q(Rows{{1, 0}, {1, 0, 1}}), base::Error);
+    EXPECT_THROW((void)cochran_q(VoteRows{{1, 0}, {1, 0, 1}}), base::Error);
 }
 
 TEST(McNemar, MeetsTheApprovalRatings) {

@@ -10,8 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "analysis/conclusions/analysis.h"
 #include "analysis/counts_file.h"
-#include "analysis/report/analysis.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/text_report.h"
 #include "analysis/statistics/paired_difference.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"

@@ -15,6 +15,7 @@
 #include "analysis/statistics/wilson.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/edge_inputs.h"
+#include "tests/analysis/table_4.h"
 
 namespace obscura::analysis {
 namespace {
@@ -24,28 +25,12 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pointwise;
 
-/// Jakobsen 2010, Table 4: votes, and what R 4.2.2 gives for them (chisq.test, binom.test,
-/// prop.test(correct = FALSE), p.adjust).
-struct Row {
-    const char* condition;
-    Votes votes;
-    double chi_square, p, p_exact, wilson_low, wilson_high, cohens_g, p_holm;
-};
-constexpr std::array kTable4{
-    Row{"I", {18, 18}, 0, 1, 1, .344743, .655257, 0, 1},
-    Row{"II", {14, 22}, 1.777778, .182422, .242985, .448645, .752151, .111111, .912112},
-    Row{"III", {11, 25}, 5.444444, .019631, .028817, .531437, .819955, .194444, .137415},
-    Row{"IV", {16, 20}, .444444, .504985, .617719, .395811, .704587, .055556, 1},
-    Row{"V", {11, 25}, 5.444444, .019631, .028817, .531437, .819955, .194444, .137415},
-    Row{"VI", {18, 18}, 0, 1, 1, .344743, .655257, 0, 1},
-    Row{"VII", {21, 15}, 1, .317311, .405032, .271406, .577997, -.083333, 1},
-};
 constexpr double kPrinted = 1e-6;
 
 TEST(Table4OfJakobsen2010, IsMetBySevenTests) {
     std::vector<double> p_values;
     std::vector<double> p_holm;
-    for (const Row& row : kTable4) {
+    for (const Table4Row& row : kTable4) {
         SCOPED_TRACE(row.condition);
         const auto chi = chi_square_equal_split(row.votes);
         const auto exact = exact_binomial(row.votes.b, row.votes.n());

@@ -17,7 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {

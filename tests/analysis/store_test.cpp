@@ -12,7 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -33,7 +33,7 @@ struct Refusal {
     std::string message;
 };
 
-Refusal refusal_of(const std::function<void()>& work) {
+Refusal refusal_of_store(const std::function<void()>& work) {
     try {
         work();
     } catch (const base::Error& error) {
@@ -53,7 +53,7 @@ class StoreTest : public testing::Test {
         const auto sessions = store.sessions();
         const auto trials = store.trials();
         const auto events = store.events();
-        const Refusal refusal = refusal_of(work);
+        const Refusal refusal = refusal_of_store(work);
         EXPECT_EQ(refusal.code, code) << refusal.message;
         EXPECT_THAT(refusal.message, HasSubstr(text));
         EXPECT_EQ(store.participants(), participants);

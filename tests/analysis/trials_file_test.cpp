@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "analysis/report/analysis.h"
+#include "analysis/conclusions/analysis.h"
+#include "analysis/presentation/json_report.h"
+#include "analysis/presentation/text_report.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/analysis/trials_text.h"

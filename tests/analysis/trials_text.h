@@ -7,7 +7,7 @@
 #include "analysis/export/contents.h"
 #include "analysis/export/table_writer.h"
 #include "renderer/base/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::tests {
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include "analysis/report/report.h"
+#include "analysis/presentation/report.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "analysis/counts_file.h"
-#include "analysis/text.h"
+#include "analysis/text/text.h"
 #include "analysis/trials_file.h"
 #include "renderer/base/error.h"
 

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/conclusions/analysis.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/participants.h"
+#include "analysis/conclusions/published_study.h"
+#include "analysis/conclusions/resampled.h"
+#include "analysis/conclusions/run_power.h"
+#include "analysis/conclusions/validity.h"
+#include "analysis/conclusions/variant_scales.h"
+#include "analysis/conclusions/verdicts.h"
+#include "analysis/conclusions/words.h"
+#include "analysis/statistics/benjamini_hochberg.h"
+#include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/holm.h"
+
+namespace obscura::analysis {
+namespace {
+
+std::vector<ConditionResult> test_conditions(const Tally& tally) {
+    std::vector<ConditionResult> results;
+    std::vector<double> family;
+    for (const ConditionVotes& condition : tally.conditions) {
+        ConditionResult result;
+        result.condition = {condition.id,        condition.hypothesis, condition.validity,
+                            condition.variant_a, condition.variant_b,  condition.votes,
+                            condition.view};
+        result.preference = preference_of(condition.votes);
+        if (result.preference.chi_square.has_value()) {
+            family.push_back(result.preference.chi_square->p.p);
+        }
+        results.push_back(std::move(result));
+    }
+    const std::vector<double> by_holm = holm(family);
+    const std::vector<double> by_rate = benjamini_hochberg(family);
+    std::size_t next = 0;
+    for (ConditionResult& result : results) {
+        if (!result.preference.chi_square.has_value()) continue;
+        result.p_holm = by_holm[next];
+        result.p_bh = by_rate[next];
+        ++next;
+    }
+    return results;
+}
+
+std::string sentence_of(const std::vector<ConditionResult>& conditions) {
+    std::vector<std::string> alone;
+    std::vector<std::string> corrected;
+    std::int64_t tests = 0;
+    for (const ConditionResult& result : conditions) {
+        if (!result.p_holm.has_value()) continue;
+        ++tests;
+        if (is_significant(result.preference.chi_square)) alone.push_back(result.condition.id);
+        if (*result.p_holm < kSignificance) corrected.push_back(result.condition.id);
+    }
+    const auto list = [](const std::vector<std::string>& ids) {
+        return ids.empty() ? std::string("none") : fmt::format("{}", fmt::join(ids, ", "));
+    };
+    return fmt::format(
+        "Significant at {:g} each for itself: {}. Still so after Holm's correction for {}: "
+        "{}.",
+        kSignificance, list(alone), counted(tests, "test"), list(corrected));
+}
+
+std::vector<OrderStratum> order_strata(const Tally& tally) {
+    std::vector<OrderStratum> strata;
+    for (const ConditionVotes& condition : tally.conditions) {
+        OrderStratum& stratum = strata.emplace_back();
+        for (const Answer& answer : condition.answers) {
+            Votes& votes = answer.b_second ? stratum.b_second : stratum.b_first;
+            ++(answer.chose_b ? votes.b : votes.a);
+        }
+    }
+    return strata;
+}
+
+/// What needs to know who gave each answer.
+void analyse_participants(Analysis& analysis, std::uint64_t seed) {
+    const Tally& tally = analysis.tally;
+    const VotesByParticipant votes(tally);
+    test_participants(analysis.hypotheses, tally);
+    analysis.attention = attention_of(tally, votes);
+    analysis.response_times = response_times(tally, votes);
+    analysis.learning = learning_of(tally, votes);
+    resample(analysis, votes, seed);
+}
+
+/// The analysis of all who are in the tally.
+Analysis analyse_all(Tally tally, std::uint64_t seed) {
+    Analysis analysis;
+    analysis.tally = std::move(tally);
+    if (is_published_votes(analysis.tally)) add_published_views(analysis.tally);
+    analysis.conditions = test_conditions(analysis.tally);
+    analysis.sentence = sentence_of(analysis.conditions);
+    analysis.hypotheses = test_hypotheses(analysis.conditions);
+    analysis.validity = test_validity(analysis.tally);
+    analysis.scales = variant_scales(analysis.tally);
+    const Possible<OrderVotes>& order = analysis.tally.order;
+    if (order.has_value()) {
+        analysis.order_bias = OrderBias{*order, exact_binomial(order->second_chosen, order->n),
+                                        order_bias(order_strata(analysis.tally))};
+    } else {
+        analysis.order_bias = Possible<OrderBias>::none(order.reason);
+    }
+    analysis.resampling.seed = seed;
+    if (analysis.tally.participants.empty()) {
+        const char* const why = "the answers of each participant are not known";
+        analysis.response_times = Possible<ResponseTimes>::none(why);
+        analysis.learning = Possible<Learning>::none(why);
+        for (HypothesisResult& result : analysis.hypotheses) {
+            if (!result.pooling.has_value()) continue;
+            result.by_participant = Possible<SignFlipTest>::none(why);
+            result.resampled = Possible<Interval>::none(why);
+        }
+        for (VariantScale& scale : analysis.scales) {
+            scale.resampled_jod = Possible<std::vector<Interval>>::none(why);
+        }
+    } else {
+        analyse_participants(analysis, seed);
+    }
+    choose_intervals(analysis.hypotheses, analysis.tally);
+    analysis.power = run_power(analysis.conditions, analysis.hypotheses);
+    analysis.verdicts = verdicts_of(analysis);
+    return analysis;
+}
+
+std::vector<bool> left_out_by(const Attention& attention) {
+    std::vector<bool> left_out;
+    for (const ParticipantResult& who : attention.participants) {
+        left_out.push_back(!who.left_out.empty());
+    }
+    return left_out;
+}
+
+}  // namespace
+
+Analysis analyse(Tally tally, std::uint64_t seed) {
+    Analysis everybody = analyse_all(std::move(tally), seed);
+    if (!everybody.tally.exclusion.has_value()) {
+        everybody.exclusions = Possible<Exclusions>::none(everybody.tally.exclusion.reason);
+        return everybody;
+    }
+    const std::vector<bool> left_out = left_out_by(*everybody.attention);
+    Exclusions exclusions;
+    exclusions.rule = *everybody.tally.exclusion;
+    exclusions.participants = static_cast<std::int64_t>(left_out.size());
+    exclusions.left_out = std::count(left_out.begin(), left_out.end(), true);
+    if (exclusions.left_out == 0) {
+        everybody.exclusions = exclusions;
+        return everybody;
+    }
+    Tally kept = without(everybody.tally, left_out);
+    for (ConditionVotes& condition : everybody.tally.conditions) {
+        condition.answers = std::vector<Answer>();
+    }
+    Analysis analysis = analyse_all(std::move(kept), seed);
+    analysis.attention = everybody.attention;
+    exclusions.changes = changed_conclusions(analysis, everybody);
+    exclusions.everybody = std::make_shared<const Analysis>(std::move(everybody));
+    analysis.exclusions = exclusions;
+    return analysis;
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/statistics/bayes_factor.h"
+#include "analysis/statistics/chi_square.h"
+#include "analysis/statistics/mcnemar.h"
+#include "analysis/statistics/order_bias.h"
+#include "analysis/statistics/paired_scale.h"
+#include "analysis/statistics/possible.h"
+#include "analysis/statistics/posterior.h"
+#include "analysis/statistics/power.h"
+#include "analysis/statistics/quartiles.h"
+#include "analysis/statistics/sign_flip.h"
+#include "analysis/statistics/stratified_logistic.h"
+#include "analysis/statistics/wilson.h"
+#include "analysis/tally.h"
+
+namespace obscura::analysis {
+
+/// The level below which a p-value is called significant, as in Jakobsen 2010.
+inline constexpr double kSignificance = 0.05;
+inline constexpr double kConfidence = 0.95;
+
+/// Is one of two images preferred? Every test of one set of votes.
+struct Preference {
+    Votes votes;
+    Possible<double> share_b = Possible<double>::none("no votes");
+    Possible<ChiSquareTest> chi_square = Possible<ChiSquareTest>::none("no votes");
+    Possible<PValue> exact = Possible<PValue>::none("no votes");
+    Possible<Interval> wilson = Possible<Interval>::none("no votes");
+    Possible<Interval> clopper_pearson = Possible<Interval>::none("no votes");
+    Possible<double> cohens_g = Possible<double>::none("no votes");
+    Possible<Posterior> posterior = Possible<Posterior>::none("no votes");  ///< of the share of B
+    Possible<BayesFactor> bayes_factor = Possible<BayesFactor>::none("no votes");
+};
+
+struct ConditionResult {
+    ConditionVotes condition;  ///< without its answers, which Analysis::tally has
+    Preference preference;
+    /// The chi-square p-value after Holm's correction over all conditions that have one.
+    Possible<double> p_holm = Possible<double>::none("no votes");
+    /// The same after Benjamini and Hochberg's.
+    Possible<double> p_bh = Possible<double>::none("no votes");
+};
+
+/// What A and B are in every condition of a hypothesis, so that the votes can be added up.
+struct Pooling {
+    std::string words;         ///< `A is None and B is Blizzard24`
+    std::vector<bool> turned;  ///< of each condition: whether what it calls A counts as B
+};
+
+/// What an interval of a pooled share rests on.
+enum class ShareIntervalKind {
+    kResampled,  ///< participants drawn anew, no narrower than Wilson's of independent votes
+    kEachOnce,   ///< Clopper-Pearson's, each participant counted once: nobody varies, or few
+                 ///< answered
+    kCounts      ///< Wilson's, as many votes as one condition has: who gave them is not known
+};
+struct ShareInterval {
+    Interval bounds;  ///< 95 %, of the share of B
+    ShareIntervalKind kind = ShareIntervalKind::kCounts;
+};
+
+/// A hypothesis that conditions name: their votes together.
+struct HypothesisResult {
+    std::string name;
+    std::vector<std::string> conditions;
+    /// No value, with the reason, where "B" is not the same thing in each condition. There is then
+    /// nothing pooled.
+    Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
+    Preference pooled;
+    /// Of participants instead of votes: those of one participant may hang together.
+    Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
+    /// Of the pooled share of B, by drawing participants anew.
+    Possible<Interval> resampled = Possible<Interval>::none("not known");
+    /// The interval to read, which the verdict rests on.
+    Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
+    int significant = 0;       ///< conditions with p below the level
+    int significant_holm = 0;  ///< those still below it after Holm's correction
+    std::string sentence;
+};
+
+/// The same question asked of the participants who answered every condition compared.
+struct SameParticipants {
+    std::int64_t n = 0;           ///< participants who answered all of the conditions
+    std::int64_t incomplete = 0;  ///< participants who answered only some, left out
+    Possible<ChiSquareTest> cochran_q = Possible<ChiSquareTest>::none("no participants");
+    /// Of two conditions; `changed` went from B to A (a) and from A to B (b).
+    Possible<McNemarTest> mcnemar = Possible<McNemarTest>::none("not two conditions");
+    Votes changed;
+};
+
+/// What an interval of a difference rests on.
+enum class DifferenceKind {
+    kPaired,     ///< the participants who answered both once, with exact limits of their changes
+    kResampled,  ///< participants drawn anew, no narrower than Newcombe's
+    kCounts      ///< Newcombe's, as if different people had answered
+};
+
+/// `same participants`, `participants drawn anew`, `counts`.
+[[nodiscard]] std::string_view to_string(DifferenceKind kind);
+
+/// By how much the share of B differs between two levels.
+struct LevelDifference {
+    std::size_t from = 0;  ///< place in Comparison::levels
+    std::size_t to = 0;
+    double difference = 0.0;  ///< share at `to` less share at `from`, -1 to 1
+    Interval interval;        ///< 95 %
+    DifferenceKind kind = DifferenceKind::kCounts;
+};
+
+/// Does the share of B differ between conditions that show the same two variants?
+struct Comparison {
+    std::string variant_a;
+    std::string variant_b;
+    std::string view;  ///< what all conditions show, whatever the light; empty: not one thing
+    std::vector<std::string> conditions;
+    std::vector<bool> turned;         ///< of each condition: whether it calls variant_b A
+    std::vector<std::string> levels;  ///< validity of each row of votes
+    std::vector<Votes> votes;         ///< one row a level, or a condition
+    /// From the counts alone, as if different people had voted in each row.
+    Possible<ChiSquareTest> test = Possible<ChiSquareTest>::none("no votes");
+    /// The same of two rows, exactly.
+    Possible<PValue> fisher = Possible<PValue>::none("not two rows");
+    /// The test to read where there is one.
+    Possible<SameParticipants> same_participants = Possible<SameParticipants>::none("not known");
+    std::vector<LevelDifference> differences;  ///< of every two levels with votes
+};
+
+/// The p-value to read: Cochran's Q over more than two rows and McNemar's test over two where the
+/// answers of each participant are known, the test of counts otherwise. It is 1 where every
+/// participant answered alike at every level.
+[[nodiscard]] Possible<PValue> p_of(const Comparison& comparison);
+
+/// That test in words, with its numbers and who it is about; where there is none, why.
+[[nodiscard]] std::string test_words(const Comparison& comparison);
+
+/// Does the preference depend on ecological validity? Like is compared with like: the same two
+/// variants, seen in the same scene by the same camera at two levels or more.
+struct ValidityResult {
+    std::string name;  ///< of the question: H3 in the built-in study, else kValidityQuestion
+    std::vector<Comparison> by_level;  ///< one for each scene, camera and two variants
+    /// Of a comparison over three levels, every two, up to kMostPairedConditions conditions.
+    std::vector<Comparison> by_pair;
+    std::vector<std::string> without_partner;  ///< conditions that have none to be compared with
+    std::string no_comparison;                 ///< why by_level is empty; empty where it is not
+    /// Over different scenes, as the thesis compared its conditions: published votes only, no test
+    /// of validity and part of no verdict.
+    std::vector<Comparison> across_scenes;
+    std::string sentence;
+};
+
+/// What the question is called in a study that has no name of its own for it.
+inline constexpr const char* kValidityQuestion = "validity";
+
+/// Conditions with the same variants beyond which they are not compared two by two.
+inline constexpr std::size_t kMostPairedConditions = 20;
+
+struct OrderBias {
+    OrderVotes votes;
+    Possible<PValue> exact = Possible<PValue>::none("no votes");
+    /// With a term for each condition, so that unbalanced orders do no harm.
+    Possible<OrderBiasTest> logistic = Possible<OrderBiasTest>::none("not counted");
+};
+
+/// The variants that the study's pairs connect, on one scale.
+struct VariantScale {
+    std::vector<std::string> variants;                                  ///< the reference first
+    Possible<Scale> bradley_terry = Possible<Scale>::none("no votes");  ///< in log odds
+    Possible<Scale> thurstone = Possible<Scale>::none("no votes");      ///< in JOD
+    /// 95 % of each variant's JOD, by drawing participants anew; the reference's is 0 to 0.
+    Possible<std::vector<Interval>> resampled_jod =
+        Possible<std::vector<Interval>>::none("not known");
+};
+
+/// How attentive and how fast one participant was.
+struct ParticipantResult {
+    std::string id;
+    std::int64_t votes = 0;
+    Successes catch_trials;   ///< with the expected answer
+    Successes repeats;        ///< with the same answer again
+    Successes with_majority;  ///< votes that are those of most others in their condition
+    Possible<double> median_time_s = Possible<double>::none("no response times");
+    std::vector<std::string> left_out;  ///< why the study's rule leaves him out; empty: it does not
+};
+
+/// How attentive the participants were. Quartiles are of the participants' own shares.
+struct Attention {
+    std::vector<ParticipantResult> participants;  ///< all of them, also those left out
+    Successes catch_trials;                       ///< of all together
+    Successes repeats;
+    Possible<Quartiles> catch_share = Possible<Quartiles>::none("no values");
+    Possible<Quartiles> repeat_share = Possible<Quartiles>::none("no values");
+    Possible<Quartiles> majority_share = Possible<Quartiles>::none("no values");
+};
+
+/// Response times in s, of participants: each gives one, the median of his own.
+struct ResponseTimeSummary {
+    Quartiles seconds;
+    /// 95 % of the median, from order statistics: no assumption on the times but that participants
+    /// are independent.
+    Possible<Interval> median_interval = Possible<Interval>::none("too few values");
+};
+
+struct ResponseTimes {
+    ResponseTimeSummary overall;
+    std::vector<Possible<ResponseTimeSummary>> by_condition;  ///< as Analysis::conditions
+};
+
+/// Answers of a participant below which his times show no trend.
+inline constexpr std::size_t kFewestForTrend = 3;
+
+/// How a participant's response time changes from one trial to the next: the median slope over the
+/// participants, each with the median slope of his own times.
+struct TimeTrend {
+    std::int64_t participants = 0;
+    double slope_s = 0.0;  ///< seconds for each further trial
+    Possible<Interval> interval = Possible<Interval>::none("too few values");  ///< 95 %
+};
+
+/// What changes over the session.
+struct Learning {
+    Possible<TimeTrend> time = Possible<TimeTrend>::none("not known");
+    /// Log odds of choosing B for each further trial, with a term for each condition.
+    Possible<StratifiedSlope> choice = Possible<StratifiedSlope>::none("not known");
+};
+
+/// Shares at which the power of what was run is said, and the smallest that a study is taken to
+/// care about: a share of B of at least this, or at most as far below one half.
+inline constexpr double kPowerShares[] = {.60, .65, .70, .75};
+inline constexpr double kRelevantShare = .65;
+/// The power that is asked for.
+inline constexpr double kAskedPower = .8;
+
+/// What the number of votes that a condition got could show.
+struct RunPower {
+    struct At {
+        double share = 0.0;
+        TestPower exact;
+        TestPower chi_square;
+        TestPower
+            holm;  ///< exact, at the level that passes Holm's correction whatever the others do
+    };
+    /// Participants who would have been needed for kAskedPower at the share that was observed.
+    struct Needed {
+        std::string name;  ///< of the condition or hypothesis
+        double share_b = 0.0;
+        Possible<std::int64_t> exact = Possible<std::int64_t>::none("not known");
+        Possible<std::int64_t> holm = Possible<std::int64_t>::none("not known");
+    };
+    std::int64_t n = 0;      ///< votes of a condition: the median over those that have any
+    std::size_t tests = 1;   ///< conditions that are tested
+    std::vector<At> shares;  ///< as kPowerShares
+    /// The smallest share that n votes detect with kAskedPower.
+    Possible<double> detectable = Possible<double>::none("no share");
+    Possible<double> detectable_holm = Possible<double>::none("no share");
+    std::vector<Needed> conditions;
+    std::vector<Needed> hypotheses;  ///< for the pooled share, one vote a participant
+};
+
+/// What the answers say about a hypothesis.
+enum class Conclusion { kNoEvidence, kEvidenceFor, kEvidenceAgainst, kTooFew, kNotTested };
+
+/// `no evidence`, `evidence for`, `evidence against`, `too few participants to say`, `not tested`.
+[[nodiscard]] std::string_view to_string(Conclusion conclusion);
+
+struct Verdict {
+    std::string hypothesis;
+    bool is_on_validity = false;
+    Conclusion conclusion = Conclusion::kNotTested;
+    /// Of the test that the verdict rests on; of validity, of the comparison with the smallest.
+    Possible<PValue> p = Possible<PValue>::none("no votes");
+    /// After Holm's correction over the tests of all verdicts.
+    Possible<double> p_holm = Possible<double>::none("no votes");
+    std::size_t tests = 0;  ///< that were corrected together
+    /// 95 %, of the share of B; of validity, of the difference that may be largest.
+    Possible<Interval> interval = Possible<Interval>::none("no votes");
+    std::string sentence;  ///< with the conclusion and its numbers
+};
+
+/// A difference between two levels of validity that a study is taken to care about: as from one
+/// half to kRelevantShare.
+inline constexpr double kRelevantDifference = .15;
+
+/// How verdicts are reached, in words.
+[[nodiscard]] std::string verdict_rule();
+
+struct Analysis;
+
+/// Whom the study's rule leaves out, and what that changes.
+struct Exclusions {
+    ExclusionRule rule;
+    std::int64_t participants = 0;  ///< before
+    std::int64_t left_out = 0;
+    std::vector<std::string> changes;  ///< conclusions that differ, each in a sentence
+    /// The same analysis of everybody; nothing where the rule leaves nobody out.
+    std::shared_ptr<const Analysis> everybody;
+};
+
+/// How participants are drawn anew for intervals.
+struct ResamplingResult {
+    std::uint64_t seed = 0;
+    Possible<int> draws = Possible<int>::none("the answers of each participant are not known");
+};
+
+/// The answers to the study's questions.
+struct Analysis {
+    Tally tally;
+    std::vector<ConditionResult> conditions;
+    std::string sentence;                      ///< what the conditions say, before and after Holm
+    std::vector<HypothesisResult> hypotheses;  ///< in order of their names
+    Possible<ValidityResult> validity = Possible<ValidityResult>::none("not asked");
+    Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
+    std::vector<VariantScale> scales;  ///< one for each group that pairs connect, with votes
+    std::vector<Verdict> verdicts;     ///< in order of their names, that on validity among them
+    Possible<RunPower> power = Possible<RunPower>::none("no votes");
+    /// Nothing where only counts are known.
+    Possible<Attention> attention = Possible<Attention>::none("counts do not say who voted");
+    Possible<ResponseTimes> response_times = Possible<ResponseTimes>::none("not known");
+    Possible<Learning> learning = Possible<Learning>::none("not known");
+    /// What the study's rule does. The analysis is of those who stay.
+    Possible<Exclusions> exclusions = Possible<Exclusions>::none("no rule");
+    ResamplingResult resampling;
+};
+
+/// The seed of all draws of an analysis, unless another is given.
+inline constexpr std::uint64_t kAnalysisSeed = 20100501;
+
+/// Linear in the votes. Where the sessions carry a rule of exclusion, the analysis is of the
+/// participants whom it leaves in, and Exclusions::everybody that of all.
+[[nodiscard]] Analysis analyse(Tally tally, std::uint64_t seed = kAnalysisSeed);
+
+}  // namespace obscura::analysis

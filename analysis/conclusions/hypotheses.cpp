@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/conclusions/hypotheses.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/conclusions/pooling.h"
+#include "analysis/conclusions/words.h"
+#include "analysis/statistics/clopper_pearson.h"
+#include "analysis/statistics/cohens_g.h"
+#include "analysis/statistics/exact_binomial.h"
+
+namespace obscura::analysis {
+namespace {
+
+/// What is not pooled has no numbers, and says why.
+Preference nothing_pooled(const std::string& why) {
+    Preference preference;
+    preference.share_b = Possible<double>::none(why);
+    preference.chi_square = Possible<ChiSquareTest>::none(why);
+    preference.exact = Possible<PValue>::none(why);
+    preference.wilson = Possible<Interval>::none(why);
+    preference.clopper_pearson = Possible<Interval>::none(why);
+    preference.cohens_g = Possible<double>::none(why);
+    preference.posterior = Possible<Posterior>::none(why);
+    preference.bayes_factor = Possible<BayesFactor>::none(why);
+    return preference;
+}
+
+std::string alone_words(const HypothesisResult& result, std::size_t tests) {
+    return fmt::format(
+        "Alone {} of its {} {} significant at {:g}, after Holm's correction for {} {}.",
+        result.significant,
+        counted(static_cast<std::int64_t>(result.conditions.size()), "condition"),
+        result.significant == 1 ? "is" : "are", kSignificance,
+        counted(static_cast<std::int64_t>(tests), "test"), result.significant_holm);
+}
+
+std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
+    if (!result.pooling.has_value()) {
+        return fmt::format("{} ({}): {}. {}", result.name, fmt::join(result.conditions, ", "),
+                           result.pooling.reason, alone_words(result, tests));
+    }
+    const Possible<ChiSquareTest>& test = result.pooled.chi_square;
+    if (!test.has_value()) {
+        return fmt::format("{}: no votes, so nothing can be said.", result.name);
+    }
+    const Votes& votes = result.pooled.votes;
+    return fmt::format(
+        "{} ({}): together {} for A and {} for B ({:.1f} % B), chi-square {:.4g}, df {}, p {} "
+        "where all votes are taken as independent. {}. {}",
+        result.name, fmt::join(result.conditions, ", "), counted(votes.a, "vote"), votes.b,
+        100.0 * *result.pooled.share_b, test->statistic, test->df, p_text(test->p),
+        capital(result.pooling->words), alone_words(result, tests));
+}
+
+/// Votes that count as B and as A where the condition may be turned.
+Votes turned(const Votes& votes, bool is_turned) {
+    return is_turned ? Votes{votes.b, votes.a} : votes;
+}
+
+HypothesisResult tested(const std::string& name, const std::vector<const ConditionResult*>& own,
+                        std::size_t tests) {
+    HypothesisResult result;
+    result.name = name;
+    std::vector<const ConditionVotes*> conditions;
+    for (const ConditionResult* condition : own) {
+        conditions.push_back(&condition->condition);
+        result.conditions.push_back(condition->condition.id);
+        if (is_significant(condition->preference.chi_square)) ++result.significant;
+        if (condition->p_holm.has_value() && *condition->p_holm < kSignificance) {
+            ++result.significant_holm;
+        }
+    }
+    result.pooling = pooling_of(conditions);
+    if (result.pooling.has_value()) {
+        Votes sum;
+        for (std::size_t i = 0; i < conditions.size(); ++i) {
+            const Votes votes = turned(conditions[i]->votes, result.pooling->turned[i]);
+            sum.a += votes.a;
+            sum.b += votes.b;
+        }
+        result.pooled = preference_of(sum);
+    } else {
+        result.pooled = nothing_pooled(result.pooling.reason);
+        result.resampled = Possible<Interval>::none(result.pooling.reason);
+        result.by_participant = Possible<SignFlipTest>::none(result.pooling.reason);
+        result.interval = Possible<ShareInterval>::none(result.pooling.reason);
+    }
+    result.sentence = sentence_of(result, tests);
+    return result;
+}
+
+/// The conditions of each hypothesis, and whether they are turned.
+using Own = std::map<std::string_view, std::pair<HypothesisResult*, bool>>;
+
+Own conditions_of(std::vector<HypothesisResult>& hypotheses) {
+    Own own;
+    for (HypothesisResult& result : hypotheses) {
+        if (!result.pooling.has_value()) continue;
+        for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+            own.emplace(result.conditions[i], std::pair(&result, result.pooling->turned[i]));
+        }
+    }
+    return own;
+}
+
+/// Participants who answered any of the hypothesis's conditions.
+std::int64_t participants_of(const HypothesisResult& result, const Tally& tally) {
+    std::vector<bool> answered(tally.participants.size());
+    for (const ConditionVotes& condition : tally.conditions) {
+        if (condition.hypothesis != result.name) continue;
+        for (const Answer& answer : condition.answers) {
+            answered[static_cast<std::size_t>(answer.participant)] = true;
+        }
+    }
+    return std::count(answered.begin(), answered.end(), true);
+}
+
+std::int64_t most_votes_of(const HypothesisResult& result, const Tally& tally) {
+    std::int64_t most = 0;
+    for (const ConditionVotes& condition : tally.conditions) {
+        if (condition.hypothesis == result.name) most = std::max(most, condition.votes.n());
+    }
+    return most;
+}
+
+ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
+    const double share = *result.pooled.share_b;
+    if (tally.participants.empty()) {
+        const auto interval = wilson_of_share(share, most_votes_of(result, tally), kConfidence);
+        return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
+    }
+    const Possible<Interval>& drawn = result.resampled;
+    if (drawn.has_value() && drawn->low < drawn->high) {
+        return {{std::min(drawn->low, result.pooled.wilson->low),
+                 std::max(drawn->high, result.pooled.wilson->high)},
+                ShareIntervalKind::kResampled};
+    }
+    const auto interval =
+        clopper_pearson_of_share(share, participants_of(result, tally), kConfidence);
+    return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
+}
+
+}  // namespace
+
+bool is_significant(const Possible<ChiSquareTest>& test) {
+    return test.has_value() && test->p.p < kSignificance;
+}
+
+Preference preference_of(const Votes& votes) {
+    Preference preference;
+    preference.votes = votes;
+    if (votes.n() > 0) {
+        preference.share_b = static_cast<double>(votes.b) / static_cast<double>(votes.n());
+    }
+    preference.chi_square = chi_square_equal_split(votes);
+    preference.exact = exact_binomial(votes.b, votes.n());
+    preference.wilson = wilson(votes.b, votes.n(), kConfidence);
+    preference.clopper_pearson = clopper_pearson(votes.b, votes.n(), kConfidence);
+    preference.cohens_g = cohens_g(votes);
+    preference.posterior = posterior_flat(votes.b, votes.n(), kConfidence);
+    preference.bayes_factor = bayes_factor(votes.b, votes.n());
+    return preference;
+}
+
+std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
+    std::map<std::string, std::vector<const ConditionResult*>> by_name;
+    std::size_t tests = 0;
+    for (const ConditionResult& result : conditions) {
+        if (result.p_holm.has_value()) ++tests;
+        if (result.condition.hypothesis.empty()) continue;
+        by_name[result.condition.hypothesis].push_back(&result);
+    }
+    std::vector<HypothesisResult> results;
+    for (const auto& [name, own] : by_name) results.push_back(tested(name, own, tests));
+    return results;
+}
+
+void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
+    const Own own = conditions_of(hypotheses);
+    std::map<HypothesisResult*, std::vector<std::int64_t>> differences;
+    for (const ConditionVotes& condition : tally.conditions) {
+        const auto found = own.find(condition.id);
+        if (found == own.end()) continue;
+        const auto& [result, is_turned] = found->second;
+        std::vector<std::int64_t>& of_each = differences[result];
+        of_each.resize(tally.participants.size());
+        for (const Answer& answer : condition.answers) {
+            of_each[static_cast<std::size_t>(answer.participant)] +=
+                answer.chose_b != is_turned ? 1 : -1;
+        }
+    }
+    for (const auto& [result, of_each] : differences) result->by_participant = sign_flip(of_each);
+}
+
+void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
+    for (HypothesisResult& result : hypotheses) {
+        if (result.pooled.votes.n() > 0) result.interval = interval_of(result, tally);
+    }
+}
+
+Possible<PValue> p_of(const HypothesisResult& result) {
+    if (result.by_participant.has_value()) return result.by_participant->p;
+    const bool is_of_participants =
+        result.interval.has_value() && result.interval->kind != ShareIntervalKind::kCounts;
+    if (is_of_participants) return PValue{};  // each of them chose both sides equally often
+    if (!result.pooled.chi_square.has_value()) {
+        return Possible<PValue>::none(result.pooled.chi_square.reason);
+    }
+    return result.pooled.chi_square->p;
+}
+
+std::string test_words(const HypothesisResult& result) {
+    const Possible<PValue> p = p_of(result);
+    if (!p.has_value()) return p.reason;
+    if (result.by_participant.has_value()) {
+        const SignFlipTest& test = *result.by_participant;
+        return fmt::format(
+            "{} test over participants by flipping signs, {} of them with a preference, p {}",
+            test.is_exact ? "exact" : "large-sample", test.participants, p_text(*p));
+    }
+    if (result.interval->kind != ShareIntervalKind::kCounts) {
+        return fmt::format("every participant chose both sides equally often, p {}", p_text(*p));
+    }
+    return fmt::format(
+        "chi-square {:.4g}, df 1, p {}, with votes of the same participants taken as independent",
+        result.pooled.chi_square->statistic, p_text(*p));
+}
+
+}  // namespace obscura::analysis

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "analysis/conclusions/analysis.h"
+
+namespace obscura::analysis {
+
+/// A verdict on every hypothesis that conditions name, and on the question about validity where it
+/// is asked, by verdict_rule(). Needs hypotheses, validity, resampling and power of the analysis.
+[[nodiscard]] std::vector<Verdict> verdicts_of(const Analysis& analysis);
+
+/// What an interval of the share of B says of shares that a study cares about. An end is taken as
+/// it is shown, to a tenth of a per cent.
+struct ShareReach {
+    bool for_b = false;  ///< a share of B of kRelevantShare or more lies in it
+    bool for_a = false;  ///< one of 1 - kRelevantShare or less does
+};
+[[nodiscard]] ShareReach reach_of(const Interval& interval);
+
+/// Whether an interval of a difference between two levels holds one of kRelevantDifference or more,
+/// either way. An end is taken as it is shown, to a tenth of a point.
+[[nodiscard]] bool reaches_relevant_difference(const Interval& interval);
+
+/// Conclusions that differ between the analysis and that of everybody, each in a sentence.
+[[nodiscard]] std::vector<std::string> changed_conclusions(const Analysis& analysis,
+                                                           const Analysis& everybody);
+
+}  // namespace obscura::analysis

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/conclusions/words.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace obscura::analysis {
+namespace {
+
+constexpr const char* kNoBreakSpace = "\u00a0";
+constexpr double kShownAsPower = 1e-290;
+constexpr double kShownWithExponent = 1e-3;
+
+}  // namespace
+
+std::string p_number(const PValue& p, int decimals) {
+    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
+    return p.p < kShownWithExponent ? fmt::format("{:.1e}", p.p)
+                                    : fmt::format("{:.{}f}", p.p, decimals);
+}
+
+std::string p_words(const PValue& p) { return "p = " + p_number(p, 3); }
+
+std::string p_text(const PValue& p) {
+    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
+    return p.p < kShownWithExponent ? fmt::format("{:.3e}", p.p) : fmt::format("{:.6f}", p.p);
+}
+
+std::string percent(double share, int decimals) {
+    return fmt::format("{:.{}f}{}%", 100.0 * share, decimals, kNoBreakSpace);
+}
+
+std::string percent(const Interval& interval) {
+    return fmt::format("{:.0f} to {:.0f}{}%", 100.0 * interval.low, 100.0 * interval.high,
+                       kNoBreakSpace);
+}
+
+std::string counted(std::int64_t n, std::string_view singular, std::string_view plural) {
+    if (n == 1) return fmt::format("1 {}", singular);
+    return plural.empty() ? fmt::format("{} {}s", n, singular) : fmt::format("{} {}", n, plural);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    if (words.empty()) return "none";
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        text += (i + 1 == words.size() ? " and " : ", ") + words[i];
+    }
+    return text;
+}
+
+std::string capital(std::string text) {
+    if (!text.empty()) {
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    }
+    return text;
+}
+
+std::string what_is_compared(const Comparison& comparison) {
+    return fmt::format("{} against {}{}{} over {} ({})", comparison.variant_a, comparison.variant_b,
+                       comparison.view.empty() ? "" : " in ", comparison.view,
+                       fmt::join(comparison.levels, ", "), fmt::join(comparison.conditions, ", "));
+}
+
+std::string partner_words(const std::vector<std::string>& without_partner) {
+    return fmt::format("{} {} no partner at another level in the same scene.",
+                       listed(without_partner), without_partner.size() == 1 ? "has" : "have");
+}
+
+std::string who(const Tally& tally, std::int64_t n) {
+    return counted(n, tally.kind == Kind::kSimulated ? "simulated observer" : "participant");
+}
+
+std::size_t level_number(std::string_view validity) {
+    constexpr std::array<std::string_view, 3> kLevels{"low", "moderate", "high"};
+    return static_cast<std::size_t>(std::find(kLevels.begin(), kLevels.end(), validity) -
+                                    kLevels.begin());
+}
+
+}  // namespace obscura::analysis

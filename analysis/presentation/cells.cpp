@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "analysis/presentation/cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace obscura::analysis {
+
+std::string p_cell(const Possible<PValue>& p) {
+    constexpr int kDecimals = 4;
+    return p.has_value() ? p_number(*p, kDecimals) : kNoValue;
+}
+
+std::string p_cell(const Possible<double>& p) {
+    constexpr double kShownAsPower = 1e-290;
+    if (!p.has_value()) return kNoValue;
+    if (*p < kShownAsPower) return fmt::format("<{:g}", kShownAsPower);
+    return p_cell(Possible<PValue>(PValue{*p, std::log10(*p)}));
+}
+
+std::string cell(const Possible<double>& value, int decimals) {
+    return value.has_value() ? fmt::format("{:.{}f}", *value, decimals) : kNoValue;
+}
+
+std::vector<const ConditionResult*> by_validity(const Analysis& analysis) {
+    std::vector<const ConditionResult*> ordered;
+    for (const ConditionResult& result : analysis.conditions) ordered.push_back(&result);
+    std::stable_sort(ordered.begin(), ordered.end(), [](const auto* one, const auto* other) {
+        return level_number(one->condition.validity) < level_number(other->condition.validity);
+    });
+    return ordered;
+}
+
+std::string label_of(const ConditionVotes& condition) {
+    std::string text =
+        fmt::format("{}: {} | {}", condition.id, condition.variant_a, condition.variant_b);
+    if (!condition.validity.empty()) text += fmt::format(" ({})", condition.validity);
+    return text;
+}
+
+}  // namespace obscura::analysis

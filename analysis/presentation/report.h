@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/attendance.h"
+#include "analysis/conclusions/measurement_table.h"
+#include "analysis/conclusions/shown_image.h"
+
+namespace obscura::analysis {
+
+/// What a study is called and asks.
+struct StudyWords {
+    std::string title;
+    std::string question;
+};
+
+/// Everything a report is made of. What is missing is said in it, not left out.
+struct ReportInput {
+    Analysis analysis;
+    StudyWords study;
+    /// Of the study and kind that are analysed.
+    Possible<Attendance> attendance = Possible<Attendance>::none("only votes are known");
+    std::vector<ShownImage> images;  ///< of the study's conditions; empty where none are known
+    std::string images_unknown;      ///< why there are none
+    std::optional<MeasurementTable> measurement;
+    std::string measurement_unknown;  ///< why there is none
+};
+
+/// A file of a report, not yet written.
+struct ReportFile {
+    std::string name;  ///< relative to the report's folder; may begin with a folder
+    std::string bytes;
+};
+
+/// The whole report as files: report.html (one self-contained page), report.md, analysis.txt,
+/// analysis.json, and in plots/ and thumbnails/ what the pages show, with each plot's script and
+/// data. The same input gives the same bytes. Without gnuplot the tables stand alone and the page
+/// says so. Throws failure when there is no place for temporary files.
+[[nodiscard]] std::vector<ReportFile> report_files(const ReportInput& input);
+
+/// Puts all of the files into the folder or none, in place of an earlier report's. Throws bad input
+/// when the folder cannot be written; failure, with everything as it was, when writing fails.
+void write_report(const std::vector<ReportFile>& files, const std::filesystem::path& folder);
+
+}  // namespace obscura::analysis

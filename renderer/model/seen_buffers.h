@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/model/rounded.h"
+#include "renderer/scene/scene.h"
+
+namespace obscura::renderer {
+
+/// What a technique reads, as it is stored; upper row first. Access counts y from the bottom.
+struct SeenBuffers {
+    int width = 0;
+    int height = 0;
+    Camera camera;
+    std::vector<float> depth_m;
+    std::vector<std::uint8_t> empty;   ///< 1 where nothing is seen
+    std::vector<std::uint8_t> normal;  ///< three code values a pixel; empty: none is read
+
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] float depth_at(int x, int y) const { return depth_m[index(x, y)]; }
+    [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
+};
+
+/// A place in the image, from 0 to 1 or, where it says so, in pixels.
+struct ImagePoint {
+    Rounded x;
+    Rounded y;
+};
+
+/// What a read of the depth buffer may give. Where a place lies within rounding of the border
+/// between texels, or of the image's, it may be one or the other.
+class SeenDepths {
+  public:
+    float nominal_m = 0.0F;  ///< where nothing is rounded
+    bool any = false;        ///< the place is so uncertain that it may be any depth
+
+    void add(float depth_m);
+    [[nodiscard]] std::span<const float> all_m() const { return {list_.data(), count_}; }
+
+  private:
+    std::array<float, 16> list_{};
+    std::size_t count_ = 0;
+};
+
+/// passes/view.glsl and passes/normal_codec.glsl in double precision.
+class SeenView {
+  public:
+    explicit SeenView(const SeenBuffers& buffers);
+
+    /// The middle of a pixel.
+    [[nodiscard]] ImagePoint place_of(int x, int y) const;
+    /// The view-space ray through a place, with z = -1.
+    [[nodiscard]] Rounded3 ray(const ImagePoint& place) const;
+    /// Depths where a view-space point falls; very far behind the camera and outside the image.
+    [[nodiscard]] SeenDepths depths_at(const Rounded3& point) const;
+    [[nodiscard]] SeenDepths depths_at(const ImagePoint& place) const;
+    [[nodiscard]] SeenDepths depths_at_px(const ImagePoint& place_px) const;
+    [[nodiscard]] Rounded3 normal(int x, int y) const;
+
+  private:
+    const SeenBuffers& buffers_;
+    Rounded scale_x_;  ///< view x per metre of depth at the right border
+    Rounded scale_y_;
+    ImagePoint ray_to_px_;  ///< pixels per view x, y per metre of depth
+    ImagePoint axis_px_;    ///< where the view's axis meets the image, in pixels
+};
+
+}  // namespace obscura::renderer

@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+//
+// The pages in a window of an X server, with a keyboard and mouse of the test's own.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <functional>
+#include <set>
+
+#include "app/kiosk/page_check.h"
+#include "app/kiosk/screens.h"
+#include "app/kiosk/stage.h"
+#include "tests/app/kiosk/small_study.h"
+#include "tests/app/kiosk/virtual_display.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Draw = std::function<std::optional<Event>()>;
+
+std::string many_lines(int count) {
+    std::string text;
+    for (int i = 1; i <= count; ++i) {
+        text +=
+            fmt::format("{}. A sentence that each participant is to read before the start.\n\n", i);
+    }
+    return text;
+}
+
+/// One page in a window, from its first frame on.
+class ShownPage {
+  public:
+    ShownPage(Window& window, Ui& ui, Draw draw)
+        : window_(window), ui_(ui), draw_(std::move(draw)) {
+        draw_first_frame(ui_, [this] { event_ = draw_(); });
+        window_.present();
+        window_.poll_events();
+        window_.input().forget();
+        window_.input().open_at(0.0);
+    }
+    /// Frames until all input is used up and the layout follows it.
+    void draw() {
+        for (int frame = 0; frame < 6 || window_.input().more(); ++frame) {
+            ui_.draw([this] {
+                auto event = draw_();
+                if (event) event_ = event;
+            });
+        }
+        window_.present();
+    }
+    void press(int key, int modifiers = 0) {
+        window_.input().key_down({key, modifiers, ++time_s_});
+        if (key == GLFW_KEY_SPACE) window_.input().types(U' ');
+        draw();
+    }
+    void type(const std::u32string& text) {
+        for (const char32_t character : text) {
+            window_.input().key_down({GLFW_KEY_A, 0, ++time_s_});
+            window_.input().types(character);
+        }
+        draw();
+    }
+    void scroll(float lines) {
+        ImGui::GetIO().MouseWheel += lines;
+        draw();
+    }
+    /// What was pressed since the last call.
+    [[nodiscard]] std::optional<Event> event() { return std::exchange(event_, std::nullopt); }
+    [[nodiscard]] static float scrolled() { return page_state().scrolled_px; }
+    [[nodiscard]] static bool end_seen() { return page_state().end_seen; }
+
+  private:
+    Window& window_;
+    Ui& ui_;
+    Draw draw_;
+    std::optional<Event> event_;
+    double time_s_ = 0.0;
+};
+
+class Pages : public testing::Test {
+  protected:
+    explicit Pages(Extent size = {1024, 720})
+        : display_(size.width, size.height),
+          window_({0, false, {64, 64}}),
+          ui_(window_, {"\u25A1 \u2190 \u2713"}, 128) {
+        study_.instructions = many_lines(60);
+    }
+    [[nodiscard]] ShownPage show(Draw draw) { return {window_, ui_, std::move(draw)}; }
+    [[nodiscard]] ShownPage show_instructions() {
+        return show([this] { return instructions_screen(ui_.fonts(), study_); });
+    }
+    [[nodiscard]] ShownPage show_form() {
+        return show([this] { return form_screen(ui_.fonts(), form_); });
+    }
+
+    VirtualDisplay display_;
+    Window window_;
+    Ui ui_;
+    stimuli::Study study_ = small_study(3);
+    FormDraft form_;
+};
+
+TEST_F(Pages, ATextTallerThanTheWindowOpensAtItsTopAndIsLeftOnlyAfterItsEndWasSeen) {
+    ShownPage page = show_instructions();
+    EXPECT_EQ(ShownPage::scrolled(), 0.0F);
+    EXPECT_FALSE(ShownPage::end_seen());
+    int turned = 0;
+    float before = 0.0F;
+    while (!ShownPage::end_seen() && turned < 100) {
+        page.press(GLFW_KEY_ENTER);
+        EXPECT_EQ(page.event(), std::nullopt) << "the button only reads on";
+        EXPECT_GT(ShownPage::scrolled(), before);
+        before = ShownPage::scrolled();
+        ++turned;
+    }
+    EXPECT_GT(turned, 1);
+    page.press(GLFW_KEY_ENTER);
+    const std::optional<Event> event = page.event();
+    ASSERT_TRUE(event.has_value());
+    EXPECT_TRUE(std::holds_alternative<InstructionsRead>(*event));
+}
+
+TEST_F(Pages, ATextScrollsByWheelArrowsPageKeysHomeAndEnd) {
+    ShownPage page = show_instructions();
+    const auto moved_by = [&](const std::function<void()>& action) {
+        const float before = ShownPage::scrolled();
+        action();
+        return ShownPage::scrolled() - before;
+    };
+    EXPECT_GT(moved_by([&] { page.scroll(-1.0F); }), 0.0F);
+    EXPECT_LT(moved_by([&] { page.scroll(1.0F); }), 0.0F);
+    const float step = moved_by([&] { page.press(GLFW_KEY_DOWN); });
+    EXPECT_GT(step, 0.0F);
+    EXPECT_FLOAT_EQ(moved_by([&] { page.press(GLFW_KEY_UP); }), -step);
+    const float turn = moved_by([&] { page.press(GLFW_KEY_PAGE_DOWN); });
+    EXPECT_GT(turn, 3.0F * step);
+    EXPECT_LT(turn, 720.0F) << "no line is passed over";
+    EXPECT_FLOAT_EQ(moved_by([&] { page.press(GLFW_KEY_PAGE_UP); }), -turn);
+    EXPECT_FALSE(ShownPage::end_seen());
+    EXPECT_GT(moved_by([&] { page.press(GLFW_KEY_END); }), turn);
+    EXPECT_TRUE(ShownPage::end_seen());
+    EXPECT_EQ(moved_by([&] { page.press(GLFW_KEY_END); }), 0.0F) << "the end is the end";
+    page.press(GLFW_KEY_HOME);
+    EXPECT_EQ(ShownPage::scrolled(), 0.0F);
+    EXPECT_TRUE(ShownPage::end_seen()) << "once seen is enough";
+    EXPECT_EQ(page.event(), std::nullopt);
+}
+
+TEST_F(Pages, APageShownAnewBeginsAnew) {
+    {
+        ShownPage page = show_instructions();
+        page.press(GLFW_KEY_END);
+        ASSERT_TRUE(ShownPage::end_seen());
+    }
+    const ShownPage again = show_instructions();
+    EXPECT_FALSE(ShownPage::end_seen());
+    EXPECT_EQ(ShownPage::scrolled(), 0.0F);
+}
+
+TEST_F(Pages, ALongQuestionIsAnsweredOnlyAfterItsEndWasSeen) {
+    study_.question = many_lines(40);
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    EXPECT_FALSE(ShownPage::end_seen());
+    page.press(GLFW_KEY_END);
+    EXPECT_TRUE(ShownPage::end_seen());
+}
+
+/// The rectangles of the windows that the last frame drew.
+std::vector<ImRect> drawn_windows() {
+    std::vector<ImRect> rectangles;
+    for (const ImGuiWindow* window : GImGui->Windows) {
+        if (window->WasActive && !window->IsFallbackWindow) rectangles.push_back(window->Rect());
+    }
+    return rectangles;
+}
+
+class PagesOfEverySize : public testing::TestWithParam<Extent> {};
+
+TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
+    const Extent size = GetParam();
+    const VirtualDisplay display(size.width, size.height);
+    Window window({0, false, {64, 64}});
+    Ui ui(window, {"\u25A1 \u2190 \u2713"}, 128);
+    stimuli::Study study = small_study(64);
+    study.instructions = study.thanks = many_lines(60);
+    study.question = many_lines(30);
+    FormDraft form;
+    const Trouble trouble{"This could not be saved", many_lines(20), many_lines(20)};
+    const Fonts& fonts = ui.fonts();
+    const std::vector<Draw> pages{
+        [&] { return start_screen(fonts); },
+        [&] { return form_screen(fonts, form); },
+        [&] { return instructions_screen(fonts, study); },
+        [&] { return pairs_screen(fonts, 40, 64); },
+        [&] { return question_screen(fonts, study, 0, 64); },
+        [&]() -> std::optional<Event> {
+            thanks_screen(fonts, study, "All answers are saved.");
+            return std::nullopt;
+        },
+        [&] { return leave_screen(fonts, true); },
+        [&]() -> std::optional<Event> {
+            (void)trouble_screen(fonts, trouble);
+            return std::nullopt;
+        },
+    };
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        ShownPage page(window, ui, pages[i]);
+        for (const bool at_end : {false, true}) {
+            if (at_end) page.press(GLFW_KEY_END);
+            const PageState& state = page_state();
+            EXPECT_TRUE(state.end_seen || !at_end) << "page " << i;
+            EXPECT_GT(state.foot_px, 0.0F);
+            const auto windows = drawn_windows();
+            ASSERT_FALSE(windows.empty());
+            for (const ImRect& rectangle : windows) {
+                EXPECT_GE(rectangle.Min.x, 0.0F) << "page " << i;
+                EXPECT_GE(rectangle.Min.y, 0.0F) << "page " << i;
+                EXPECT_LE(rectangle.Max.x, static_cast<float>(size.width)) << "page " << i;
+                EXPECT_LE(rectangle.Max.y, static_cast<float>(size.height)) << "page " << i;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PagesOfEverySize,
+                         testing::Values(Extent{800, 600}, Extent{1024, 720}, Extent{1280, 800},
+                                         Extent{1920, 1080}));
+
+TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
+    for (const int count : {1, 7, 8, 20, 36, 64}) {
+        const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), count - 1, count); });
+        EXPECT_TRUE(ShownPage::end_seen()) << count;
+    }
+}
+
+TEST_F(Pages, TabGoesThroughTheFormAsEyesReadAndBack) {
+    ShownPage page = show_form();
+    const auto where = [] {
+        for (const FocusStop& stop : page_state().stops) {
+            if (stop.id == page_state().focus) return stop;
+        }
+        return FocusStop{};
+    };
+    const FocusStop first = where();
+    EXPECT_TRUE(first.text) << "it starts at the age";
+    const std::size_t count = page_state().stops.size();
+    ASSERT_EQ(count, 11U);
+    std::vector<unsigned> forward{first.id};
+    FocusStop before = first;
+    for (std::size_t i = 1; i < count; ++i) {
+        page.press(GLFW_KEY_TAB);
+        const FocusStop now = where();
+        EXPECT_GE(now.top_px, before.top_px);
+        forward.push_back(now.id);
+        before = now;
+    }
+    EXPECT_TRUE(before.primary) << "it ends at the way on";
+    EXPECT_EQ(std::set<unsigned>(forward.begin(), forward.end()).size(), count);
+    for (std::size_t i = count - 1; i > 0; --i) {
+        page.press(GLFW_KEY_TAB, GLFW_MOD_SHIFT);
+        EXPECT_EQ(where().id, forward[i - 1]);
+    }
+    page.press(GLFW_KEY_DOWN);
+    EXPECT_EQ(where().id, forward[1]) << "an arrow down goes to the next line's first";
+    page.press(GLFW_KEY_RIGHT);
+    EXPECT_EQ(where().id, forward[2]);
+    page.press(GLFW_KEY_DOWN);
+    EXPECT_EQ(where().id, forward[5]);
+}
+
+TEST_F(Pages, ChosenOwnWordsTakeTheTypingAtOnceAndKeepEveryScript) {
+    ShownPage page = show_form();
+    page.type(U"30");
+    for (int i = 0; i < 3; ++i) page.press(GLFW_KEY_TAB);
+    page.press(GLFW_KEY_SPACE);
+    EXPECT_EQ(form_.gender, Gender::kOwnWords);
+    page.type(U"\U0001F98A \u5973 \u0623\u0646\u062B\u0649");
+    EXPECT_EQ(form_of(form_).gender,
+              "\xF0\x9F\xA6\x8A \xE5\xA5\xB3 \xD8\xA3\xD9\x86\xD8\xAB\xD9\x89");
+    EXPECT_EQ(form_of(form_).age_years, 30);
+}
+
+TEST_F(Pages, KeysThatCameFasterThanFramesGoWhereTheFocusWasThen) {
+    ShownPage page = show_form();
+    Input& input = window_.input();
+    const auto press = [&](int key, char32_t character) {
+        input.key_down({key, 0, 1.0});
+        if (character != 0) input.types(character);
+    };
+    press(GLFW_KEY_4, U'4');
+    press(GLFW_KEY_2, U'2');
+    press(GLFW_KEY_TAB, 0);
+    press(GLFW_KEY_SPACE, U' ');
+    press(GLFW_KEY_7, U'7');
+    page.draw();
+    EXPECT_EQ(form_.age.utf8(), "42");
+    EXPECT_EQ(form_.gender, Gender::kFemale);
+}
+
+TEST_F(Pages, RatherNotSayIsNotTheSameAsNoAnswer) {
+    EXPECT_EQ(form_of(form_).gender, "");
+    form_.gender = Gender::kRatherNotSay;
+    EXPECT_EQ(form_of(form_).gender, "rather not say");
+}
+
+TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {
+    ShownPage page = show_form();
+    page.press(GLFW_KEY_TAB);
+    page.press(GLFW_KEY_ENTER);
+    EXPECT_EQ(page.event(), std::nullopt);
+    page.type(U"25");
+    EXPECT_EQ(form_.age.utf8(), "25") << "at the age first";
+    page.press(GLFW_KEY_ENTER);
+    EXPECT_EQ(page.event(), std::nullopt);
+    page.press(GLFW_KEY_SPACE);
+    EXPECT_TRUE(form_.consent) << "then at the consent";
+    page.press(GLFW_KEY_ENTER);
+    const std::optional<Event> event = page.event();
+    ASSERT_TRUE(event.has_value());
+    EXPECT_EQ(std::get<FormSubmitted>(*event).form.age_years, 25);
+}
+
+TEST_F(Pages, ThanksAreLeftByNoKeyOrClickOfAParticipant) {
+    bool gave = false;
+    ShownPage page = show([&]() -> std::optional<Event> {
+        thanks_screen(ui_.fonts(), study_, "All answers are saved.");
+        gave = gave || !page_state().stops.empty();
+        return std::nullopt;
+    });
+    page.press(GLFW_KEY_ENTER);
+    page.press(GLFW_KEY_SPACE);
+    EXPECT_FALSE(gave) << "there is nothing to press";
+}
+
+TEST(PageCheck, SaysWhichPagesScrollInTheSmallestWindow) {
+    stimuli::Study study = small_study(7);
+    study.width = 320;
+    study.height = 200;
+    EXPECT_THAT(notes_on_pages(study), IsEmpty());
+    study.instructions = many_lines(60);
+    EXPECT_THAT(notes_on_pages(study),
+                ElementsAre(testing::AllOf(HasSubstr("instructions"), HasSubstr("1024x720"))));
+    study.question = many_lines(40);
+    study.thanks = many_lines(40);
+    EXPECT_THAT(notes_on_pages(study),
+                ElementsAre(HasSubstr("instructions"), HasSubstr("question"), HasSubstr("thanks")));
+    study.width = 3840;
+    study.height = 2160;
+    EXPECT_THAT(notes_on_pages(study).front(), HasSubstr("3840x2160"));
+}
+
+}  // namespace
+}  // namespace obscura::app::kiosk

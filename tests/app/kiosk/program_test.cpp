@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+
+// The program itself in a real X server, driven by a keyboard and a mouse and looked at from
+// outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "analysis/store/store.h"
+#include "stimuli/order/order.h"
+#include "tests/app/kiosk/visitor.h"
+
+namespace obscura::app::kiosk {
+namespace {
+
+using analysis::Kind;
+using testing::AllOf;
+using testing::HasSubstr;
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.at(values.size() / 2);
+}
+
+TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
+    const ShownStudy shown(7, 2000);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    const std::vector<std::string> answers{"1", "2", "Left", "Right", "KP_1", "mouse", "mouse 2"};
+    const std::vector<bool> first_chosen{true, false, true, false, true, true, false};
+    std::vector<std::pair<std::string, std::string>> seen;
+    for (std::size_t pair = 0; pair < 7; ++pair) {
+        const std::string first = visitor.open_pair();
+        visitor.try_to_close();
+        EXPECT_EQ(visitor.seen_image(), first) << "nothing closes or changes an image";
+        visitor.leave_first_image();
+        visitor.press("space");
+        visitor.press("Return");
+        EXPECT_TRUE(visitor.sees_grey()) << "the interval cannot be skipped";
+        seen.emplace_back(first, visitor.await_second_image());
+        visitor.leave_second_image();
+        if (answers[pair].starts_with("mouse")) {
+            const int offset = kScreenWidth / (first_chosen[pair] ? -8 : 8);
+            visitor.click(kScreenWidth / 2 + offset, kScreenHeight / 2 + 20);
+        } else {
+            visitor.press(answers[pair]);
+        }
+        visitor.await_answers(pair + 1);
+    }
+    visitor.leave();
+
+    Store store = visitor.store();
+    ASSERT_EQ(store.sessions().size(), 1U);
+    const analysis::SessionRecord session = store.sessions()[0];
+    EXPECT_EQ(session.state, analysis::SessionState::kCompleted);
+    EXPECT_EQ(session.study_sha256, shown.study.sha256);
+    EXPECT_EQ(store.participants().at(0).age_years, 29);
+    const auto order = stimuli::session_order(shown.study.order, 7, shown.study.seed, 0);
+    const auto trials = store.trials();
+    ASSERT_EQ(trials.size(), 7U);
+    std::vector<double> grey_ms;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const auto condition = static_cast<std::size_t>(order.conditions[i]);
+        EXPECT_EQ(trials[i].condition, shown.study.conditions[condition].id);
+        EXPECT_EQ(trials[i].first_sha256, seen[i].first);
+        EXPECT_EQ(trials[i].second_sha256, seen[i].second);
+        EXPECT_EQ(trials[i].response_first, first_chosen[i]) << "pair " << i;
+        EXPECT_EQ(trials[i].kind, Kind::kParticipant);
+        EXPECT_GE(trials[i].grey_ms_measured, 2000.0);
+        grey_ms.push_back(trials[i].grey_ms_measured);
+    }
+    constexpr double kFrame_ms = 1000.0 / 60.0;
+    EXPECT_LE(median(grey_ms), 2000.0 + kFrame_ms);
+    for (const double value : grey_ms) std::printf("grey interval: %.3f ms\n", value);
+}
+
+TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
+    const ShownStudy shown(3, 400);
+    Visitor visitor(shown, Visitor::Place::kWindow);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    const std::string first = visitor.open_pair();
+    visitor.kill_program();
+    EXPECT_EQ(visitor.store().trials().size(), 1U);
+
+    visitor.start_program();
+    visitor.press("Return");  // the operator continues
+    pause(0.7);
+    EXPECT_EQ(visitor.open_pair(), first) << "at the first unanswered pair";
+    visitor.leave_first_image();
+    visitor.kill_program();
+
+    visitor.start_program();
+    visitor.press("Return");
+    pause(0.7);
+    EXPECT_EQ(visitor.open_pair(), first);
+    visitor.leave_first_image();
+    (void)visitor.await_second_image();
+    visitor.leave_second_image();
+    visitor.kill_program();
+    EXPECT_EQ(visitor.store().trials().size(), 1U);
+
+    visitor.start_program();
+    visitor.press("Return");
+    pause(0.7);
+    visitor.answer_pair("2", 2);
+    visitor.answer_pair("1", 3);
+    visitor.leave();
+    Store store = visitor.store();
+    ASSERT_EQ(store.sessions().size(), 1U);
+    EXPECT_EQ(store.sessions()[0].state, analysis::SessionState::kCompleted);
+    const auto events = store.events();
+    EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                            [](const auto& event) { return event.name == "session resumed"; }),
+              3);
+}
+
+TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
+    const ShownStudy shown(2, 100);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    visitor.leave();  // in the middle of a session
+    ASSERT_EQ(visitor.store().open_sessions("noise", Kind::kParticipant).size(), 1U);
+    visitor.start_program();
+    const std::filesystem::path log = shown.data / "second.txt";
+    ChildProcess second(
+        {OBSCURA_PROGRAM, "--data", shown.data.string(), "run", shown.file.string()}, -1,
+        log.string());
+    int code = -1;
+    EXPECT_TRUE(second.wait(kPatience_s, code));
+    EXPECT_EQ(code, 1) << "it would ask about this one's session";
+    EXPECT_THAT(base::read_file(log), HasSubstr("another kiosk is running"));
+    execute(shown,
+            "CREATE TRIGGER no_room BEFORE UPDATE ON sessions "
+            "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
+    visitor.press("a");
+    pause(0.7);
+    visitor.press("a");
+    visitor.press("Return");  // asked once more, the operator goes back
+    pause(0.7);
+    EXPECT_EQ(visitor.said().find("cannot close a session"), std::string::npos);
+    visitor.press("a");
+    pause(0.7);
+    visitor.press("c");
+    EXPECT_TRUE(visitor.says("cannot close a session"));
+    EXPECT_TRUE(visitor.says("no room"));
+    pause(0.7);
+    EXPECT_TRUE(visitor.sees_page()) << "a store that fails does not end the program";
+    execute(shown, "DROP TRIGGER no_room");
+    visitor.press("Return");  // tries again
+    pause(1.0);
+    visitor.leave();
+    EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kAbandoned);
+    EXPECT_TRUE(visitor.store().taken_slots("noise", shown.study.seed, Kind::kParticipant).empty());
+}
+
+TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
+    const ShownStudy shown(2, 100);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    execute(shown,
+            "CREATE TRIGGER no_room BEFORE INSERT ON trials "
+            "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
+    (void)visitor.open_pair();
+    visitor.leave_first_image();
+    (void)visitor.await_second_image();
+    visitor.leave_second_image();
+    visitor.press("2");
+    pause(1.0);
+    visitor.press("Return");  // tries again, in vain
+    pause(1.0);
+    EXPECT_EQ(visitor.store().trials().size(), 1U);
+    EXPECT_THAT(visitor.said(), AllOf(HasSubstr("the answer to pair 2"), HasSubstr("no room")));
+    execute(shown, "DROP TRIGGER no_room");
+    visitor.press("Return");
+    visitor.await_answers(2);
+    EXPECT_FALSE(visitor.store().trials().at(1).response_first);
+    visitor.leave();
+    EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kCompleted);
+}
+
+TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
+    const ShownStudy shown(2, 100);
+    const VirtualDisplay display(kScreenWidth, kScreenHeight);
+    const auto exit_code_of_run = [&shown] {
+        ChildProcess program(
+            {OBSCURA_PROGRAM, "--data", shown.data.string(), "run", shown.file.string()}, -1,
+            (shown.data / "log.txt").string());
+        int code = -1;
+        EXPECT_TRUE(program.wait(kPatience_s, code));
+        return code;
+    };
+    const auto said = [&shown] { return base::read_file(shown.data / "log.txt"); };
+    const std::string file = shown.manifest.images[2].file;
+    std::string bytes = base::read_file(shown.folder / file);
+    base::write_file_atomically(shown.folder / file, bytes + "x");
+    EXPECT_EQ(exit_code_of_run(), 2);
+    EXPECT_THAT(said(), HasSubstr(file));
+    std::filesystem::remove(shown.folder / file);
+    EXPECT_EQ(exit_code_of_run(), 2);
+    EXPECT_FALSE(std::filesystem::exists(shown.data / "responses.sqlite"));
+    base::write_file_atomically(shown.folder / file, bytes);
+    ::unsetenv("DISPLAY");
+    EXPECT_EQ(exit_code_of_run(), 1);
+    EXPECT_THAT(said(), HasSubstr("DISPLAY is not set"));
+    EXPECT_FALSE(std::filesystem::exists(shown.data / "responses.sqlite"));
+}
+
+}  // namespace
+}  // namespace obscura::app::kiosk

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "renderer/base/files.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/gl/context.h"
+#include "renderer/gl/embedded_shaders.h"
+#include "renderer/hard_cases/hard_case.h"
+#include "tests/support/temporary_folder.h"
+
+namespace obscura::renderer {
+namespace {
+
+/// A mistake as one makes it: some text of a shader became another.
+struct Fault {
+    std::string name;
+    std::string technique;
+    std::string file;
+    std::string right;
+    std::string wrong;
+};
+
+/// Every shader of the program, with the fault in it, where the program will read them.
+class FaultyShaders {
+  public:
+    explicit FaultyShaders(const Fault& fault) {
+        for (const std::string_view name : shaders::embedded_names()) {
+            std::string text(shaders::embedded(name));
+            if (name == fault.file) {
+                const std::size_t at = text.find(fault.right);
+                EXPECT_NE(at, std::string::npos) << fault.file << " has no " << fault.right;
+                if (at != std::string::npos) text.replace(at, fault.right.size(), fault.wrong);
+            }
+            const std::filesystem::path path = folder_ / std::string(name);
+            std::filesystem::create_directories(path.parent_path());
+            base::write_file_atomically(path, text);
+        }
+        setenv("OBSCURA_SHADERS", folder_.path().c_str(), 1);
+    }
+    ~FaultyShaders() { unsetenv("OBSCURA_SHADERS"); }
+    FaultyShaders(const FaultyShaders&) = delete;
+    FaultyShaders& operator=(const FaultyShaders&) = delete;
+
+  private:
+    tests::TemporaryFolder folder_;
+};
+
+/// The rows that hold shaders against definitions and do not hold.
+std::vector<HardCaseResult> numerical_failures(const std::string& technique,
+                                               const std::vector<int>& cases) {
+    HardCaseOptions options;
+    options.techniques = {technique};
+    options.cases = cases;
+    options.size_px = 64;
+    options.timing = false;
+    std::vector<HardCaseResult> failures;
+    for (const HardCaseResult& row : run_hard_cases(options)) {
+        if (row.against == Against::kDefinition && row.outcome != Outcome::kHolds) {
+            failures.push_back(row);
+        }
+    }
+    return failures;
+}
+
+class ShaderFaults : public testing::TestWithParam<Fault> {
+  protected:
+    HeadlessContext context_;
+};
+
+TEST_P(ShaderFaults, AreFoundByTheRowsThatNothingExcuses) {
+    const FaultyShaders faulty(GetParam());
+    // Filters are met in case 11, frusta that are off their centre in case 10.
+    const bool of_filter = GetParam().file.starts_with("denoise/");
+    const bool of_lens = GetParam().right.find("ray_offset") != std::string::npos ||
+                         GetParam().right.find("axis_px") != std::string::npos;
+    const int hard_case = of_filter ? 11 : of_lens ? 10 : 4;
+    EXPECT_FALSE(numerical_failures(GetParam().technique, {hard_case}).empty());
+}
+
+TEST_F(ShaderFaults, AreNotSeenWhereThereAreNone) {
+    const FaultyShaders sound({"", "", "", "", ""});
+    for (const Technique& technique : techniques()) {
+        if (!technique.makes_accessibility()) continue;
+        for (const HardCaseResult& row : numerical_failures(technique.name, {4, 10, 11})) {
+            ADD_FAILURE() << row.name << ", " << row.technique << ", " << row.quantity
+                          << ": definition " << row.expected << ", measured " << row.measured
+                          << ", tolerance " << row.tolerance << "; " << row.note;
+        }
+    }
+}
+
+std::vector<Fault> all_faults() {
+    const std::string view_space = "technique/view_space.glsl";
+    std::vector<Fault> faults;
+    for (const std::string technique : {"blizzard", "raymarch"}) {
+        const std::string own = "technique/" + technique + ".glsl";
+        const auto add = [&](const char* name, const std::string& file, const char* right,
+                             const char* wrong) {
+            faults.push_back({technique + '_' + name, technique, file, right, wrong});
+        };
+        add("RadiusOnePercentOff", view_space, "* p_radius_m", "* (1.01 * p_radius_m)");
+        add("MeanOfFewer", own, "float(SAMPLES)", "float(SAMPLES - 1)");
+        add("KernelScaled", view_space, "reflect(point", "reflect(0.99 * point");
+        add("HemisphereTurnedOver", view_space, "dot(o, n) < 0.0", "dot(o, n) > 0.0");
+        add("NormalDecodedOneCodeOff", "passes/normal_codec.glsl", "255.0 - 128.0",
+            "255.0 - 127.0");
+        add("SquaredOnceTooOften", view_space, "i < SQUARINGS", "i <= SQUARINGS");
+        add("FullThresholdIgnored", view_space, "delta < p_full_threshold_m", "delta < 0.0");
+        add("NoThresholdTheOtherWay", view_space, "delta > p_no_threshold_m",
+            "delta < p_no_threshold_m");
+        add("ClampBecameAbs", view_space, "max(0.0, difference)", "abs(difference)");
+        add("RayHalfAPixelOff", "passes/accessibility.glsl", "gl_FragCoord.xy / u_size",
+            "(gl_FragCoord.xy - 0.5) / u_size");
+        add("RayWithoutLensShift", "passes/view.glsl", "u_ray_scale + u_ray_offset", "u_ray_scale");
+        add("ProjectedWithoutLensShift", "passes/view.glsl", "+ u_axis_px", "+ 0.5 * u_size");
+        add("ProjectedOneThousandthWide", "passes/view.glsl", "* (u_ray_to_px /",
+            "* (1.001 * u_ray_to_px /");
+        add("DepthOneTexelOff", "passes/view.glsl", "inside ? px",
+            "inside ? min(px + vec2(1.0, 0.0), u_size - 1.0)");
+        add("OutsideIsTheBorder", "passes/view.glsl", "inside ? px : vec2(0.0)), 0).r",
+            "clamp(px, vec2(0.0), u_size - 1.0)), 0).r; inside = true");
+    }
+    const auto add = [&](const char* technique, const char* name, const char* file,
+                         const char* right, const char* wrong) {
+        faults.push_back({std::string(technique) + '_' + name, technique, file, right, wrong});
+    };
+    const char* const march = "technique/raymarch.glsl";
+    add("raymarch", "DroppedStep", march, "k <= kSteps", "k < kSteps");
+    add("raymarch", "StopsTooEarly", march, "delta >= p_full_threshold_m",
+        "delta >= 0.5 * p_full_threshold_m");
+    const char* const crytek = "technique/crytek.glsl";
+    add("crytek", "OffsetOnePercentOff", crytek, "* p_offset_scale", "* (1.01 * p_offset_scale)");
+    add("crytek", "MeanOfFewer", crytek, "float(SAMPLES)", "float(SAMPLES - 1)");
+    add("crytek", "NoLastClamp", crytek, "return clamp(mean * mean + mean, 0.0, 1.0)",
+        "return mean * mean + mean");
+    add("crytek", "NoClampOfWhatIsInvalid", crytek, "clamp(d - ds, 0.0, 1.0)", "abs(d - ds)");
+    add("crytek", "ComparedWithItsOwnDepth", crytek, "ds > point.z", "ds > d");
+    add("crytek", "InvalidIsLessThanHalf", crytek, "0.5, clamp", "0.45, clamp");
+    add("crytek", "RotationTransposed", crytek, "rotation * point", "point * rotation");
+    const char* const box = "denoise/box4.glsl";
+    add("blizzard", "Box4OneTexelOff", box, "- kTileSize / 2;", "- kTileSize / 2 + 1;");
+    add("blizzard", "Box4DroppedRow", box, "y < kTileSize;", "y < kTileSize - 1;");
+    const char* const separable = "denoise/separable.glsl";
+    add("blizzard", "SeparableToleranceOff", separable, "0.004", "0.0042");
+    add("blizzard", "SeparableWeightOff", separable, "(4.0 - distance_px)", "(3.9 - distance_px)");
+    add("blizzard", "SeparableDroppedTap", separable, "i == 0", "i == 0 || i == kReach");
+    add("blizzard", "SeparablePacksDepth", separable, "1.0 / max(depth_m, 1.0e-9)", "depth_m");
+    add("blizzard", "SeparableSlopeOfOneSide", separable, "abs(before) < abs(after)", "true");
+    add("blizzard", "SeparableIgnoresSlope", separable, "w + slope * float(i)", "w");
+    return faults;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShaderFaults, testing::ValuesIn(all_faults()),
+                         [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace obscura::renderer
