@@ -116,24 +116,6 @@ INSTANTIATE_TEST_SUITE_P(All, SliceTechniques, testing::Values("hbao", "gtao", "
 
 using Slices = SliceTechniques;
 
-TEST_F(Slices, ACornerHasItsClosedFormWhereHorizonsEndAtTheRadius) {
-    constexpr double kRadius_m = 1.5;
-    for (const char* name : {"gtao", "bitmask"}) {
-        Variant choice = choice_of(name);
-        choice.samples = 128;
-        choice.parameters = {{"radius_m", kRadius_m}};
-        if (choice.technique == "gtao") choice.parameters["falloff"] = 0.0;
-        // Nothing is thin in a corner: behind the wall there is no light.
-        if (choice.technique == "bitmask") choice.parameters["thickness"] = 20.0;
-        for (const auto& [from_corner_m, open] : profile(accessibility(corner(), choice))) {
-            const double c = std::min(from_corner_m / kRadius_m, 1.0);
-            const double closed =
-                1.0 - (std::acos(c) - c * std::sqrt(1.0 - c * c)) / std::numbers::pi;
-            EXPECT_NEAR(open, closed, 0.04) << name << ", " << from_corner_m << " m";
-        }
-    }
-}
-
 TEST_F(Slices, ABitmaskLetsLightPassBehindAThinRailAndHorizonsDoNot) {
     Scene scene = tests::facing_wall(5.0F);
     tests::add_box(scene, {-3.0F, -0.03F, -4.6F}, {3.0F, 0.03F, -4.55F});
