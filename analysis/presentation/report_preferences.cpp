@@ -118,7 +118,7 @@ void add_test(std::vector<std::string>& row, const Possible<ChiSquareTest>& test
 std::string same_words(const SameParticipants& same) {
     if (same.mcnemar.has_value()) {
         return fmt::format("{} to A, {} to B, {} (McNemar, n {})", same.changed.a, same.changed.b,
-                           p_words(same.mcnemar->p()), same.n);
+                           p_words(same.mcnemar->exact), same.n);
     }
     if (!same.cochran_q.has_value()) return "none: " + same.cochran_q.reason;
     return fmt::format("Q {:.2f}, df {}, {} (Cochran, n {})", same.cochran_q->statistic,
@@ -238,7 +238,8 @@ void add_preferences(ReportDraft& draft) {
     draft.page.table(
         shares_table(analysis),
         "Chi-square and p: Pearson's test against an equal split, df 1, no continuity correction. "
-        "p, exact: two-sided binomial test. p, Holm: p after Holm's correction over all conditions "
+        "p, exact: two-sided binomial test. p, Holm: p, exact after Holm's correction over all "
+        "conditions "
         "(the chance of any false alarm stays at 5 %); p, BH: after Benjamini and Hochberg's (the "
         "share of false alarms). Cohen's g: share of B minus one half; .05 is small, .15 medium, "
         ".25 large.");

@@ -238,10 +238,11 @@ bool letter_pressed(char letter) { return key_pressed(key_of_letter(letter)); }
 
 void focus_next() { page_state().focus_next = true; }
 
+bool is_disabled() { return (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0; }
+
 bool begin_stop(unsigned id, StopKind kind) {
     PageState& page = page_state();
-    const bool disabled = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-    if (disabled || page.keyboard == Keyboard::kIsLeftToTheCaller) return false;
+    if (is_disabled() || page.keyboard == Keyboard::kIsLeftToTheCaller) return false;
     const float top_px = ImGui::GetCursorPosY() + (page.in_body ? 0.0F : kBelowAnyBody_px);
     page.stops_now.push_back({id, top_px, ImGui::GetFrameHeight(), page.in_body,
                               kind == StopKind::kPrimary, kind == StopKind::kText});

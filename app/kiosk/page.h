@@ -71,6 +71,9 @@ void card(const char* name, float columns, const std::function<void()>& body,
 /// Makes the next stop that is drawn the one where the keyboard is.
 void focus_next();
 
+/// Whether what is drawn next can be neither pressed nor filled in.
+[[nodiscard]] bool is_disabled();
+
 /// Makes the item that is drawn next a stop; gives whether the keyboard is there.
 enum class StopKind { kPlain, kPrimary, kText };
 [[nodiscard]] bool begin_stop(unsigned id, StopKind kind = StopKind::kPlain);

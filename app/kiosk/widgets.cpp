@@ -37,7 +37,7 @@ void set_style(float text_px) {
     style.ItemSpacing = {std::round(text_px * 0.6F), std::round(text_px * 0.55F)};
     style.ItemInnerSpacing = {std::round(text_px * 0.45F), std::round(text_px * 0.3F)};
     style.ScrollbarSize = text_px * 0.7F;
-    style.DisabledAlpha = 0.45F;
+    style.DisabledAlpha = 1.0F;  // fading would make text too faint to read
     ImVec4* colours = style.Colors;
     colours[ImGuiCol_WindowBg] = kCard;
     colours[ImGuiCol_Text] = kInk;
@@ -107,19 +107,26 @@ void gap(float lines) { ImGui::Dummy({1.0F, times_text(lines)}); }
 namespace {
 
 [[nodiscard]] bool button(const char* label, float width_px, float height, StopKind kind) {
-    const bool primary = kind == StopKind::kPrimary;
-    if (primary) {
-        ImGui::PushStyleColor(ImGuiCol_Button, kAccent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, kAccentHovered);
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, kAccentPressed);
-        ImGui::PushStyleColor(ImGuiCol_Text, kOnAccent);
-        ImGui::PushStyleColor(ImGuiCol_Border, kAccentPressed);
+    int colours = 0;
+    const auto colour = [&colours](ImGuiCol which, const ImVec4& value) {
+        ImGui::PushStyleColor(which, value);
+        ++colours;
+    };
+    if (is_disabled()) {
+        colour(ImGuiCol_Button, kCard);
+        colour(ImGuiCol_Text, kFaintInk);
+    } else if (kind == StopKind::kPrimary) {
+        colour(ImGuiCol_Button, kAccent);
+        colour(ImGuiCol_ButtonHovered, kAccentHovered);
+        colour(ImGuiCol_ButtonActive, kAccentPressed);
+        colour(ImGuiCol_Text, kOnAccent);
+        colour(ImGuiCol_Border, kAccentPressed);
     }
     const ImGuiID id = ImGui::GetID(label);
     const bool here = begin_stop(id, kind);
     const bool clicked = ImGui::Button(label, {width_px, times_text(height)});
     const bool pressed = end_stop(id, here);
-    if (primary) ImGui::PopStyleColor(5);
+    ImGui::PopStyleColor(colours);
     return clicked || pressed;
 }
 

@@ -14,31 +14,30 @@ namespace {
 using testing::HasSubstr;
 
 TEST(KioskDisturbed, WhatHidesATrialIsAnEventAndItsColumnAndNothingIsAnsweredMeanwhile) {
-    const ShownStudy shown(2, 300);
+    const ShownStudy shown(2, 300, kSoon);
     Visitor visitor(shown);
     visitor.display().start_window_manager();
     visitor.start_program();
     visitor.sign_in();
     const std::string first = visitor.open_pair();
     visitor.display().tool({"xdotool", "search", "--name", "Obscura", "windowminimize"});
-    EXPECT_TRUE(visitor.notes("iconified"));
-    EXPECT_TRUE(visitor.notes("seen again")) << "the kiosk restores itself";
-    EXPECT_TRUE(Visitor::wait_for([&] { return visitor.seen_image() == first; }));
+    visitor.await_event("iconified");
+    visitor.await_event("seen again");  // the kiosk restores itself
+    visitor.await("the same image", [&] { return visitor.sees(first); });
     visitor.leave_first_image();
     (void)visitor.await_second_image();
     visitor.leave_second_image();
     {
         const OtherWindow other(10, 10, 50, 50);
-        EXPECT_TRUE(visitor.notes("covered"));
+        visitor.await_event("covered");
         visitor.press("1");
-        pause(1.0);
+        pause(0.5);
         EXPECT_TRUE(visitor.store().trials().empty()) << "what is covered cannot be answered";
     }
-    EXPECT_TRUE(visitor.notes("seen again", 2));
-    pause(0.7);
-    visitor.press("1");
-    visitor.await_answers(1);
-    EXPECT_GT(visitor.store().trials().at(0).hidden_ms.value(), 1000.0);
+    visitor.await_event("seen again", 2);
+    visitor.settle();
+    visitor.answer("1", 1);
+    EXPECT_GT(visitor.store().trials().at(0).hidden_ms.value(), 500.0);
 
     visitor.answer_pair("2", 2);
     EXPECT_DOUBLE_EQ(visitor.store().trials().at(1).hidden_ms.value(), 0.0);
@@ -46,7 +45,7 @@ TEST(KioskDisturbed, WhatHidesATrialIsAnEventAndItsColumnAndNothingIsAnsweredMea
 }
 
 TEST(KioskDisturbed, AMonitorThatGoesDuringAGreyIntervalEndsNoIntervalAndTheTrialGoesOnAfterwards) {
-    const ShownStudy shown(2, 3000);
+    const ShownStudy shown(2, 1500, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
@@ -54,38 +53,32 @@ TEST(KioskDisturbed, AMonitorThatGoesDuringAGreyIntervalEndsNoIntervalAndTheTria
     visitor.leave_first_image();
     EXPECT_THROW(visitor.display().tool({"xrandr", "--output", "screen", "--off"}),
                  std::runtime_error);
-    EXPECT_TRUE(visitor.notes("monitor lost")) << visitor.said();
-    EXPECT_TRUE(Visitor::wait_for([&] { return visitor.sees_page(); })) << "a calm page";
+    visitor.await_event("monitor lost");
+    visitor.await("a calm page", [&] { return visitor.sees_page(); });
     visitor.display().tool({"xrandr", "--output", "screen", "--mode",
                             fmt::format("{}x{}", kScreenWidth, kScreenHeight)});
-    EXPECT_TRUE(visitor.notes("seen again"));
+    visitor.await_event("seen again");
     (void)visitor.await_second_image();
     visitor.leave_second_image();
-    pause(0.5);
-    visitor.press("2");
-    visitor.await_answers(1);
+    visitor.answer("2", 1);
     const auto trial = visitor.store().trials().at(0);
     EXPECT_GT(trial.hidden_ms.value(), 0.0);
-    EXPECT_GE(trial.grey_ms_measured, 3000.0);
+    EXPECT_GE(trial.grey_ms_measured, 1500.0);
     visitor.leave();
 }
 
 TEST(KioskDisturbed, AnAnswerToALockedStoreIsSavedWhenTheLockGoesAndAPageSaysSoMeanwhile) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
-    (void)visitor.open_pair();
-    visitor.leave_first_image();
-    (void)visitor.await_second_image();
-    visitor.leave_second_image();
-    pause(0.5);
+    visitor.look_at_pair();
     sqlite3* other = nullptr;
     ASSERT_EQ(sqlite3_open((shown.data / "responses.sqlite").c_str(), &other), SQLITE_OK);
     sqlite3_busy_timeout(other, 5000);
     ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
-    visitor.press("2");
-    EXPECT_TRUE(visitor.says("longer than half a second"));
+    visitor.press_until("2", "a slow store",
+                        [&] { return visitor.times_said("longer than half a second") > 0; });
     EXPECT_TRUE(visitor.sees_page());
     sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
     sqlite3_close(other);
@@ -95,49 +88,41 @@ TEST(KioskDisturbed, AnAnswerToALockedStoreIsSavedWhenTheLockGoesAndAPageSaysSoM
 }
 
 TEST(KioskDisturbed, LeavingWithAnAnswerThatCouldNotBeSavedExitsWithOne) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
     execute(shown,
             "CREATE TRIGGER no_room BEFORE INSERT ON trials "
             "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
-    (void)visitor.open_pair();
-    visitor.leave_first_image();
-    (void)visitor.await_second_image();
-    visitor.leave_second_image();
-    pause(0.5);
-    visitor.press("2");
-    EXPECT_TRUE(visitor.says("no room"));
-    pause(0.5);
+    visitor.look_at_pair();
+    visitor.turn("2");
+    visitor.await_words("no room");
     visitor.press("ctrl+shift+q");
     EXPECT_EQ(visitor.exit_code(), 1);
     EXPECT_THAT(visitor.said(), HasSubstr("not saved: the answer to pair 1"));
 }
 
 TEST(KioskDisturbed, AStoreThatIsMovedAwayIsNoticedBeforeTheNextPageAndUsedAgainWhenItIsBack) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
     const auto store = shown.data / "responses.sqlite";
     std::filesystem::rename(store, shown.data / "elsewhere.sqlite");
-    visitor.press("ctrl+shift+q");  // any next page
-    EXPECT_TRUE(visitor.says("cannot save"));
+    visitor.turn("ctrl+shift+q");  // any next page
+    visitor.await_words("cannot save");
     EXPECT_FALSE(std::filesystem::exists(store)) << "nothing makes another store in its place";
     std::filesystem::rename(shown.data / "elsewhere.sqlite", store);
-    pause(0.7);
-    visitor.press("Return");  // tries again
-    pause(0.7);
-    visitor.press("Return");  // the operator stays
-    pause(0.7);
+    visitor.turn("Return");  // tries again
+    visitor.turn("Return");  // the operator stays
     visitor.answer_pair("1", 1);
     visitor.answer_pair("2", 2);
     visitor.leave();
 }
 
 TEST(KioskDisturbed, TheOperatorLeavesByTheLettersOfAFrenchKeyboard) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.display().tool({"setxkbmap", "fr"});
     visitor.start_program();

@@ -65,14 +65,11 @@ TEST(KioskInput, ADoubleClickOnAnAnswerDoesNotBeginTheNextPair) {
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
-    (void)visitor.open_pair();
-    visitor.leave_first_image();
-    (void)visitor.await_second_image();
-    visitor.leave_second_image();
+    visitor.look_at_pair();
     visitor.display().double_click(kScreenWidth / 2 - kScreenWidth / 8, kScreenHeight / 2 + 20);
     visitor.await_answers(1);
-    for (int look = 0; look < 10; ++look) {
-        EXPECT_TRUE(visitor.sees_page());
+    for (int look = 0; look < 6; ++look) {
+        ASSERT_TRUE(visitor.sees_page());
         pause(0.1);
     }
     EXPECT_EQ(visitor.store().trials().size(), 1U);
@@ -85,67 +82,56 @@ TEST(KioskInput, AHeldKeyLeavesOnlyTheImageItWasPressedOn) {
     visitor.start_program();
     visitor.sign_in();
     (void)visitor.open_pair();
-    pause(kInputDelay_s);
-    visitor.display().hold("space", 2.5);
+    visitor.settle();
+    visitor.display().hold("space", 1.5);
     const std::string second = visitor.await_second_image();
-    for (int look = 0; look < 10; ++look) {
-        EXPECT_EQ(visitor.seen_image(), second);
+    for (int look = 0; look < 4; ++look) {
+        ASSERT_TRUE(visitor.sees(second));
         pause(0.1);
     }
     visitor.leave_second_image();
-    visitor.press("1");
-    visitor.await_answers(1);
+    visitor.answer("1", 1);
     visitor.leave();
 }
 
 TEST(KioskInput, AWholeSessionByMouseAlone) {
-    const ShownStudy shown(2, 100, "pointer = true\nadvance = []\n");
+    const ShownStudy shown(2, 100, std::string(kSoon) + "pointer = true\nadvance = []\n");
     Visitor visitor(shown);
     visitor.start_program();
     click_way_on(visitor);
     std::vector<Band> fields;
-    for (int look = 0; look < 200 && fields.empty(); ++look) {
+    visitor.await("the form", [&] {
         fields = runs_of(visitor.display().screen(), kField, 10);
-        pause(0.05);
-    }
-    ASSERT_FALSE(fields.empty());
-    pause(kInputDelay_s);
+        return !fields.empty();
+    });
+    pause(0.4);
     // The digits 0 to 9 and the arrow back stand in one row; 4, 1, back, 2.
     const auto quiet = runs_of(visitor.display().screen(), kQuiet, 12);
     ASSERT_GE(quiet.size(), 11U);
     for (const std::size_t key : {4, 1, 10, 2}) {
         EXPECT_EQ(quiet[key].y, quiet[0].y);
         visitor.click(quiet[key].middle(), quiet[key].y + 6);
-        pause(0.2);
     }
     // The box of the consent is the lowest field.
     visitor.click(fields.back().middle(), fields.back().y - 4);
     pause(0.3);
     click_way_on(visitor);
-    for (int look = 0; look < 200 && !visitor.has_session(); ++look) pause(0.05);
-    pause(2.0 * kInputDelay_s);
-    click_way_on(visitor);
+    visitor.await("a session", [&] { return visitor.has_session(); });
     for (std::size_t pair = 0; pair < 2; ++pair) {
-        std::optional<std::string> first;
-        for (int attempt = 0; attempt < 10 && !first; ++attempt) {
-            pause(2.0 * kInputDelay_s);
-            if (!visitor.seen_image()) click_way_on(visitor);
-            pause(kInputDelay_s);
-            first = visitor.seen_image();
+        // The instructions, once, and the page of the pairs.
+        for (int page = 0; page < 10 && !visitor.seen_image(); ++page) {
+            if (visitor.sees_page()) click_way_on(visitor);
+            pause(0.5);
         }
-        ASSERT_TRUE(first.has_value());
-        pause(kInputDelay_s);
+        const std::string first = visitor.seen_image().value();
+        visitor.settle();
         visitor.click(300, 300);
-        std::optional<std::string> second;
-        for (int look = 0; look < 400 && (!second || second == first); ++look) {
-            second = visitor.seen_image();
-            pause(0.02);
-        }
-        EXPECT_NE(second, first);
-        pause(kInputDelay_s);
+        visitor.await("the second image",
+                      [&] { return visitor.seen_image().value_or(first) != first; });
+        visitor.settle();
         visitor.click(kScreenWidth - 5, kScreenHeight - 5);
-        for (int look = 0; look < 200 && !visitor.sees_page(); ++look) pause(0.05);
-        pause(kInputDelay_s);
+        visitor.await("the question", [&] { return visitor.sees_page(); });
+        visitor.settle();
         visitor.click(kScreenWidth / 2 + kScreenWidth / 8, kScreenHeight / 2 + 20);
         visitor.await_answers(pair + 1);
     }

@@ -9,12 +9,17 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/screens.h"
 #include "app/kiosk/stage.h"
+#include "app/kiosk/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
 
@@ -240,6 +245,30 @@ TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
         const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), count - 1, count); });
         EXPECT_TRUE(ShownPage::end_seen()) << count;
     }
+}
+
+TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
+    using namespace theme;
+    ShownPage page = show([&] { return pairs_screen(ui_.fonts(), 1, 3); });
+    page.draw();
+    int letters = 0;
+    for (const ImDrawList* list :
+         std::span(ImGui::GetDrawData()->CmdLists,
+                   static_cast<std::size_t>(ImGui::GetDrawData()->CmdListsCount))) {
+        for (const ImDrawVert& vertex : list->VtxBuffer) {
+            ImVec4 colour = ImGui::ColorConvertU32ToFloat4(vertex.col);
+            const float alpha = std::exchange(colour.w, 1.0F);
+            const bool is_text =
+                std::ranges::any_of(std::array{kInk, kFaintInk, kOnAccent}, [&](const ImVec4& ink) {
+                    return ImGui::ColorConvertFloat4ToU32(ink) ==
+                           ImGui::ColorConvertFloat4ToU32(colour);
+                });
+            if (!is_text || alpha == 0.0F) continue;  // the edge of a line fades to nothing
+            EXPECT_EQ(alpha, 1.0F);
+            ++letters;
+        }
+    }
+    EXPECT_GT(letters, 100);
 }
 
 TEST_F(Pages, TabGoesThroughTheFormAsEyesReadAndBack) {

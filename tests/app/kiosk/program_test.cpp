@@ -21,13 +21,9 @@ using analysis::Kind;
 using testing::AllOf;
 using testing::HasSubstr;
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values.at(values.size() / 2);
-}
-
 TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
-    const ShownStudy shown(7, 2000);
+    constexpr double kGrey_ms = 800.0;
+    const ShownStudy shown(7, 800, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
@@ -36,21 +32,22 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
     std::vector<std::pair<std::string, std::string>> seen;
     for (std::size_t pair = 0; pair < 7; ++pair) {
         const std::string first = visitor.open_pair();
-        visitor.try_to_close();
-        EXPECT_EQ(visitor.seen_image(), first) << "nothing closes or changes an image";
-        visitor.leave_first_image();
-        visitor.press("space");
-        visitor.press("Return");
-        EXPECT_TRUE(visitor.sees_grey()) << "the interval cannot be skipped";
+        if (pair == 0) {
+            visitor.try_to_close();
+            EXPECT_TRUE(visitor.sees(first)) << "nothing closes or changes an image";
+        }
+        visitor.settle();
+        // The keys after the first come during the interval, which they cannot make shorter.
+        visitor.display().keys({"space", "space", "Return"});
         seen.emplace_back(first, visitor.await_second_image());
         visitor.leave_second_image();
         if (answers[pair].starts_with("mouse")) {
             const int offset = kScreenWidth / (first_chosen[pair] ? -8 : 8);
             visitor.click(kScreenWidth / 2 + offset, kScreenHeight / 2 + 20);
+            visitor.await_answers(pair + 1);
         } else {
-            visitor.press(answers[pair]);
+            visitor.answer(answers[pair], pair + 1);
         }
-        visitor.await_answers(pair + 1);
     }
     visitor.leave();
 
@@ -63,7 +60,6 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
     const auto order = stimuli::session_order(shown.study.order, 7, shown.study.seed, 0);
     const auto trials = store.trials();
     ASSERT_EQ(trials.size(), 7U);
-    std::vector<double> grey_ms;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const auto condition = static_cast<std::size_t>(order.conditions[i]);
         EXPECT_EQ(trials[i].condition, shown.study.conditions[condition].id);
@@ -71,16 +67,17 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
         EXPECT_EQ(trials[i].second_sha256, seen[i].second);
         EXPECT_EQ(trials[i].response_first, first_chosen[i]) << "pair " << i;
         EXPECT_EQ(trials[i].kind, Kind::kParticipant);
-        EXPECT_GE(trials[i].grey_ms_measured, 2000.0);
-        grey_ms.push_back(trials[i].grey_ms_measured);
+        EXPECT_GE(trials[i].grey_ms_measured, kGrey_ms);
+        // However busy the machine is: what came late says by how many frames.
+        constexpr double kFrame_ms = 1000.0 / 60.0;
+        EXPECT_LE(trials[i].grey_ms_measured,
+                  kGrey_ms + kFrame_ms * (1.2 + trials[i].dropped_frames));
+        std::printf("grey interval: %.3f ms\n", trials[i].grey_ms_measured);
     }
-    constexpr double kFrame_ms = 1000.0 / 60.0;
-    EXPECT_LE(median(grey_ms), 2000.0 + kFrame_ms);
-    for (const double value : grey_ms) std::printf("grey interval: %.3f ms\n", value);
 }
 
 TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
-    const ShownStudy shown(3, 400);
+    const ShownStudy shown(3, 400, kSoon);
     Visitor visitor(shown, Visitor::Place::kWindow);
     visitor.start_program();
     visitor.sign_in();
@@ -90,15 +87,13 @@ TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
     EXPECT_EQ(visitor.store().trials().size(), 1U);
 
     visitor.start_program();
-    visitor.press("Return");  // the operator continues
-    pause(0.7);
+    visitor.turn("Return");  // the operator continues
     EXPECT_EQ(visitor.open_pair(), first) << "at the first unanswered pair";
     visitor.leave_first_image();
     visitor.kill_program();
 
     visitor.start_program();
-    visitor.press("Return");
-    pause(0.7);
+    visitor.turn("Return");
     EXPECT_EQ(visitor.open_pair(), first);
     visitor.leave_first_image();
     (void)visitor.await_second_image();
@@ -107,8 +102,7 @@ TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
     EXPECT_EQ(visitor.store().trials().size(), 1U);
 
     visitor.start_program();
-    visitor.press("Return");
-    pause(0.7);
+    visitor.turn("Return");
     visitor.answer_pair("2", 2);
     visitor.answer_pair("1", 3);
     visitor.leave();
@@ -122,7 +116,7 @@ TEST(KioskProgram, KilledAtAnyMomentItLosesNoAnswerAndTheSessionContinues) {
 }
 
 TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
@@ -141,29 +135,24 @@ TEST(KioskProgram, ACutOffSessionCanBeClosedAsAbandonedAndGivesItsRowBack) {
     execute(shown,
             "CREATE TRIGGER no_room BEFORE UPDATE ON sessions "
             "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
+    visitor.turn("a");
     visitor.press("a");
-    pause(0.7);
-    visitor.press("a");
-    visitor.press("Return");  // asked once more, the operator goes back
-    pause(0.7);
-    EXPECT_EQ(visitor.said().find("cannot close a session"), std::string::npos);
-    visitor.press("a");
-    pause(0.7);
-    visitor.press("c");
-    EXPECT_TRUE(visitor.says("cannot close a session"));
-    EXPECT_TRUE(visitor.says("no room"));
-    pause(0.7);
+    visitor.turn("Return");  // asked once more, the operator goes back
+    EXPECT_EQ(visitor.times_said("cannot close a session"), 0);
+    visitor.turn("a");
+    visitor.turn("c");
+    visitor.await_words("cannot close a session");
+    visitor.await_words("no room");
     EXPECT_TRUE(visitor.sees_page()) << "a store that fails does not end the program";
     execute(shown, "DROP TRIGGER no_room");
-    visitor.press("Return");  // tries again
-    pause(1.0);
+    visitor.turn("Return");  // tries again
     visitor.leave();
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kAbandoned);
     EXPECT_TRUE(visitor.store().taken_slots("noise", shown.study.seed, Kind::kParticipant).empty());
 }
 
 TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     Visitor visitor(shown);
     visitor.start_program();
     visitor.sign_in();
@@ -171,26 +160,21 @@ TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
     execute(shown,
             "CREATE TRIGGER no_room BEFORE INSERT ON trials "
             "BEGIN SELECT RAISE(ABORT, 'there is no room'); END");
-    (void)visitor.open_pair();
-    visitor.leave_first_image();
-    (void)visitor.await_second_image();
-    visitor.leave_second_image();
-    visitor.press("2");
-    pause(1.0);
-    visitor.press("Return");  // tries again, in vain
-    pause(1.0);
+    visitor.look_at_pair();
+    visitor.turn("2");
+    visitor.press_until("Return", "a second try",
+                        [&] { return visitor.times_said("no room") > 1; });
     EXPECT_EQ(visitor.store().trials().size(), 1U);
     EXPECT_THAT(visitor.said(), AllOf(HasSubstr("the answer to pair 2"), HasSubstr("no room")));
     execute(shown, "DROP TRIGGER no_room");
-    visitor.press("Return");
-    visitor.await_answers(2);
+    visitor.answer("Return", 2);
     EXPECT_FALSE(visitor.store().trials().at(1).response_first);
     visitor.leave();
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kCompleted);
 }
 
 TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
-    const ShownStudy shown(2, 100);
+    const ShownStudy shown(2, 100, kSoon);
     const VirtualDisplay display(kScreenWidth, kScreenHeight);
     const auto exit_code_of_run = [&shown] {
         ChildProcess program(

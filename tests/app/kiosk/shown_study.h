@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -98,13 +100,14 @@ class ShownStudy {
 };
 
 /// How many of the frame's pixels are not as they must be: the image in the middle of the frame's
-/// upper left `width` x `height`, grey around it. No image: all grey.
+/// upper left `width` x `height`, grey around it. No image: all grey. Counts no further than
+/// `enough`.
 inline int wrong_pixels(const stimuli::RgbImage& screen, const stimuli::RgbImage* image, int width,
-                        int height, int grey) {
+                        int height, int grey, int enough = std::numeric_limits<int>::max()) {
     const int left = image == nullptr ? 0 : (width - image->width) / 2;
     const int top = image == nullptr ? 0 : (height - image->height) / 2;
     int wrong = 0;
-    for (int y = 0; y < height; ++y) {
+    for (int y = 0; y < height && wrong < enough; ++y) {
         for (int x = 0; x < width; ++x) {
             const bool inside = image != nullptr && x >= left && x < left + image->width &&
                                 y >= top && y < top + image->height;
@@ -122,6 +125,19 @@ inline int wrong_pixels(const stimuli::RgbImage& screen, const stimuli::RgbImage
         }
     }
     return wrong;
+}
+
+inline bool shows(const stimuli::RgbImage& screen, const stimuli::RgbImage* image, int width,
+                  int height, int grey) {
+    if (image != nullptr) {  // the middle tells most images apart
+        const auto middle = [](const stimuli::RgbImage& of, int wide, int high) {
+            const auto at = static_cast<std::size_t>((high / 2 * of.width + wide / 2) * 3);
+            return std::array{of.rgb[at], of.rgb[at + 1], of.rgb[at + 2]};
+        };
+        if (middle(screen, width, height) != middle(*image, image->width, image->height))
+            return false;
+    }
+    return wrong_pixels(screen, image, width, height, grey, 1) == 0;
 }
 
 }  // namespace obscura::app::kiosk

@@ -182,11 +182,15 @@ void OtherWindow::take_focus() const {
 
 void VirtualDisplay::key(const std::string& name) const { run({"xdotool", "key", name}); }
 
-void VirtualDisplay::type(const std::string& text) const { run({"xdotool", "type", text}); }
+void VirtualDisplay::keys(const std::vector<std::string>& names) const {
+    std::vector<std::string> command{"xdotool", "key", "--delay", "60"};
+    command.insert(command.end(), names.begin(), names.end());
+    run(command);
+}
 
 void VirtualDisplay::click(int x, int y) const {
-    run({"xdotool", "mousemove", std::to_string(x), std::to_string(y), "sleep", "0.2", "mousedown",
-         "1", "sleep", "0.1", "mouseup", "1"});
+    run({"xdotool", "mousemove", std::to_string(x), std::to_string(y), "sleep", "0.1", "mousedown",
+         "1", "sleep", "0.05", "mouseup", "1"});
 }
 
 void VirtualDisplay::double_click(int x, int y) const {

@@ -40,7 +40,8 @@ class VirtualDisplay {
     [[nodiscard]] stimuli::RgbImage screen() const;
     /// A key as the keyboard sends it, in xdotool's words: space, Return, ctrl+shift+q.
     void key(const std::string& name) const;
-    void type(const std::string& text) const;
+    /// One after another, as fast as people type.
+    void keys(const std::vector<std::string>& names) const;
     void click(int x, int y) const;
     /// Two clicks as people double-click.
     void double_click(int x, int y) const;

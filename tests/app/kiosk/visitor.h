@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sqlite3.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,15 +29,20 @@ using analysis::Store;
 /// Larger than a plain window, so that the two differ.
 inline constexpr int kScreenWidth = 1100;
 inline constexpr int kScreenHeight = 800;
-inline constexpr double kPatience_s = 40.0;
-/// A little more than a page or image takes nothing.
-inline constexpr double kInputDelay_s = 0.4;
+/// How long anything may take before a test gives up. A machine may be busy.
+inline constexpr double kPatience_s = 60.0;
+/// A key that came too early, on a page that took nothing yet, is pressed again after that time.
+inline constexpr double kAgain_s = 2.0;
+
+/// For the tests that are not about how soon a page takes input.
+inline constexpr const char* kSoon = "input_delay_ms = 100\n";
 
 inline void pause(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-/// A participant and operator in front of the program.
+/// A participant and operator in front of the program. What they wait for in vain ends the test
+/// with an exception that says what the program said: all that follows would wait in vain too.
 class Visitor {
   public:
     enum class Place { kWholeScreen, kWindow };
@@ -49,93 +56,103 @@ class Visitor {
                                          shown_.file.string()};
         if (place_ == Place::kWindow) command.emplace_back("--windowed");
         program_ = ChildProcess(command, -1, log().string());
-        EXPECT_TRUE(wait_for([this] { return sees_page(); })) << said();
-        pause(kInputDelay_s);
+        await("the first page", [this] { return sees_page(); });
+        settle();
     }
     void kill_program() {
         program_.kill(SIGKILL);
-        int code = 0;
-        EXPECT_TRUE(program_.wait(kPatience_s, code));
-        EXPECT_EQ(code, 128 + SIGKILL);
+        EXPECT_EQ(exit_code(), 128 + SIGKILL);
     }
     void leave() {
-        press("ctrl+shift+q");
-        pause(0.7);
-        press("l");
-        EXPECT_EQ(exit_code(), 0) << said();
+        int code = -1;
+        turn("ctrl+shift+q");
+        press_until("l", "the end of the program", [&] { return program_.wait(0.0, code); });
+        EXPECT_EQ(code, 0) << said();
     }
     /// Of the program, when it has ended.
     [[nodiscard]] int exit_code() {
         int code = -1;
-        EXPECT_TRUE(program_.wait(kPatience_s, code)) << said();
+        await("the end of the program", [&] { return program_.wait(0.0, code); });
         return code;
     }
 
     void press(const std::string& key) const { display_.key(key); }
     void click(int x, int y) const { display_.click(x, y); }
+    /// Until what is shown takes input.
+    void settle() const { pause(shown_.study.input_delay_ms / 1000.0 + 0.1); }
+    void press_until(const std::string& key, const std::string& what,
+                     const std::function<bool()>& condition) const {
+        for (double waited_s = 0.0; waited_s < kPatience_s; waited_s += kAgain_s) {
+            press(key);
+            if (wait_for(condition, kAgain_s)) return;
+        }
+        give_up(what);
+    }
+    /// Presses the key until another page is there, on a page without a caret.
+    void turn(const std::string& key) const {
+        const stimuli::RgbImage before = display_.screen();
+        press_until(key, "another page", [&] { return display_.screen().rgb != before.rgb; });
+        settle();
+    }
 
     /// Start page, form and instructions; ends on the page of pairs.
     void sign_in() {
-        press("Return");
-        pause(1.0);
-        display_.type("29");
-        for (const char* key : {"Down", "Down", "Down", "Down", "space"}) {
-            pause(0.4);
-            press(key);
-        }
-        pause(0.4);
-        press("Return");
-        EXPECT_TRUE(wait_for([this] { return has_session(); }));
-        pause(0.5);
-        press("Return");
-        pause(0.5);
+        turn("Return");
+        pause(0.4);  // what is lost of an age cannot be made up for
+        display_.keys({"2", "9", "Down", "Down", "Down", "Down", "space", "Return"});
+        await("a session", [this] { return has_session(); });
+        settle();
+        turn("Return");
     }
 
     /// Presses the next pair's button until an image is there; gives the image's hash.
     std::string open_pair() {
-        for (int attempt = 0; attempt < 10; ++attempt) {
-            press("Return");
-            if (wait_for([this] { return seen_image().has_value(); }, 2.0)) {
-                return *seen_image();
-            }
-        }
-        ADD_FAILURE() << "no image appears; " << said();
-        return "";
+        press_until("Return", "the first image", [this] { return sees_image(); });
+        return image_;
     }
     void leave_first_image() {
-        pause(kInputDelay_s);
-        press("space");
-        EXPECT_TRUE(wait_for([this] { return sees_grey(); }));
+        settle();
+        press_until("space", "the grey interval", [this] { return !sees_that_image(); });
     }
     std::string await_second_image() {
-        EXPECT_TRUE(wait_for([this] { return seen_image().has_value(); }));
-        return seen_image().value_or("");
+        await("the second image",
+              [this, first = image_] { return sees_image() && image_ != first; });
+        return image_;
     }
     void leave_second_image() {
-        pause(kInputDelay_s);
-        press("space");
-        EXPECT_TRUE(wait_for([this] { return sees_page(); }));
-        pause(kInputDelay_s);
+        settle();
+        press_until("space", "the question", [this] { return sees_page(); });
+        settle();
     }
-    void await_answers(std::size_t count) {
-        EXPECT_TRUE(wait_for([this, count] { return store().trials().size() == count; }));
-        pause(kInputDelay_s);
-    }
-    void answer_pair(const std::string& key, std::size_t answers_then) {
+    /// Goes to the question of the next pair.
+    void look_at_pair() {
         (void)open_pair();
         leave_first_image();
         (void)await_second_image();
         leave_second_image();
-        press(key);
-        await_answers(answers_then);
+    }
+    void await_answers(std::size_t count) {
+        await("an answer", [this, count] { return store().trials().size() == count; });
+        settle();
+    }
+    void answer(const std::string& key, std::size_t answers_then) {
+        press_until(key, "an answer", [&] { return store().trials().size() == answers_then; });
+        settle();
+    }
+    void answer_pair(const std::string& key, std::size_t answers_then) {
+        look_at_pair();
+        answer(key, answers_then);
     }
 
-    [[nodiscard]] bool sees_grey() const { return is_on_screen(nullptr); }
-    /// The hash of the image that fills its place exactly, grey all around.
+    /// Whether that image fills its place exactly, grey all around.
+    [[nodiscard]] bool sees(const std::string& sha256) const {
+        return is_on(display_.screen(), &shown_.images.at(sha256));
+    }
+    /// The hash of the image that is there.
     [[nodiscard]] std::optional<std::string> seen_image() const {
         const stimuli::RgbImage screen = display_.screen();
         for (const auto& [sha256, image] : shown_.images) {
-            if (wrong_pixels(screen, &image, width(), height(), 128) == 0) return sha256;
+            if (is_on(screen, &image)) return sha256;
         }
         return std::nullopt;
     }
@@ -145,7 +162,9 @@ class Visitor {
         // black, and images are noise.
         const auto* middle =
             &screen.rgb[static_cast<std::size_t>((kScreenHeight / 2) * kScreenWidth * 3)];
-        return middle[0] == 128 && !sees_grey() && !seen_image();
+        if (middle[0] != 128 || is_on(screen, nullptr)) return false;
+        return std::none_of(shown_.images.begin(), shown_.images.end(),
+                            [&](const auto& image) { return is_on(screen, &image.second); });
     }
     void try_to_close() const {
         press("Escape");
@@ -160,19 +179,35 @@ class Visitor {
                !store().sessions().empty();
     }
     [[nodiscard]] std::string said() const { return base::read_file(log()); }
-    /// Whether the program comes to say that, within reason.
-    [[nodiscard]] bool says(const std::string& text) const {
-        return wait_for([&] { return said().find(text) != std::string::npos; });
+    /// How often the program said that.
+    [[nodiscard]] int times_said(const std::string& text) const {
+        const std::string all = said();
+        int count = 0;
+        for (auto at = all.find(text); at != std::string::npos; at = all.find(text, at + 1))
+            ++count;
+        return count;
     }
-    /// Whether the store comes to hold that many events of that name.
-    [[nodiscard]] bool notes(const std::string& event, int count = 1) const {
-        return wait_for([&] {
+    void await_words(const std::string& text) const {
+        await("the words '" + text + "'", [&] { return times_said(text) > 0; });
+    }
+    /// Until the store holds that many events of that name.
+    void await_event(const std::string& event, int count = 1) const {
+        await(fmt::format("event '{}' {} times", event, count), [&] {
             const auto events = store().events();
             return std::count_if(events.begin(), events.end(),
                                  [&](const auto& other) { return other.name == event; }) == count;
         });
     }
-    static bool wait_for(const std::function<bool()>& condition, double seconds = kPatience_s) {
+    void await(const std::string& what, const std::function<bool()>& condition) const {
+        if (!wait_for(condition, kPatience_s)) give_up(what);
+    }
+
+  private:
+    [[noreturn]] void give_up(const std::string& what) const {
+        throw std::runtime_error(
+            fmt::format("waited in vain for {}; the program said:\n{}", what, said()));
+    }
+    static bool wait_for(const std::function<bool()>& condition, double seconds) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (!condition()) {
             if (std::chrono::steady_clock::now() > end) return false;
@@ -180,11 +215,15 @@ class Visitor {
         }
         return true;
     }
-
-  private:
     [[nodiscard]] std::filesystem::path log() const { return shown_.data / "log.txt"; }
-    [[nodiscard]] bool is_on_screen(const stimuli::RgbImage* image) const {
-        return wrong_pixels(display_.screen(), image, width(), height(), 128) == 0;
+    [[nodiscard]] bool sees_image() {
+        image_ = seen_image().value_or("");
+        return !image_.empty();
+    }
+    [[nodiscard]] bool sees_that_image() const { return sees(image_); }
+    [[nodiscard]] bool is_on(const stimuli::RgbImage& screen,
+                             const stimuli::RgbImage* image) const {
+        return shows(screen, image, width(), height(), 128);
     }
     /// Of the program's window, which lies in the screen's upper left corner.
     [[nodiscard]] int width() const { return place_ == Place::kWindow ? 1024 : kScreenWidth; }
@@ -194,6 +233,7 @@ class Visitor {
     VirtualDisplay display_;
     Place place_;
     ChildProcess program_;
+    std::string image_;  ///< the hash of the last that was waited for
 };
 
 /// Runs SQL in the store beside the program.
