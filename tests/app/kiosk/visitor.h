@@ -222,7 +222,8 @@ class Visitor {
         stimuli::RgbImage screen = display_.screen();
         await("a page at rest", [&] {
             pause(0.05);
-            return std::exchange(screen, display_.screen()).rgb == screen.rgb;
+            const stimuli::RgbImage before = std::exchange(screen, display_.screen());
+            return before.rgb == screen.rgb;
         });
         return screen;
     }
