@@ -14,6 +14,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -122,15 +123,21 @@ stimuli::RgbImage VirtualDisplay::screen() const {
     const Window root = DefaultRootWindow(connection.get());
     XImage* image = XGetImage(connection.get(), root, 0, 0, static_cast<unsigned>(width_),
                               static_cast<unsigned>(height_), AllPlanes, ZPixmap);
-    if (image == nullptr) throw std::runtime_error("cannot read the screen");
+    if (image == nullptr || image->bits_per_pixel != 32) {
+        throw std::runtime_error("cannot read the screen");
+    }
     stimuli::RgbImage screen{width_, height_, {}};
-    screen.rgb.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+    screen.rgb.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+    auto* to = screen.rgb.data();
     for (int y = 0; y < height_; ++y) {
-        for (int x = 0; x < width_; ++x) {
-            const unsigned long pixel = XGetPixel(image, x, y);
-            screen.rgb.push_back(static_cast<std::uint8_t>(pixel >> 16));
-            screen.rgb.push_back(static_cast<std::uint8_t>(pixel >> 8));
-            screen.rgb.push_back(static_cast<std::uint8_t>(pixel));
+        const char* row = image->data + static_cast<std::ptrdiff_t>(y) * image->bytes_per_line;
+        for (int x = 0; x < width_; ++x, to += 3) {
+            // Xvfb's depth of 24 comes as blue, green, red and nothing, on machines like ours.
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, row + static_cast<std::ptrdiff_t>(x) * 4, 4);
+            to[0] = static_cast<std::uint8_t>(pixel >> 16);
+            to[1] = static_cast<std::uint8_t>(pixel >> 8);
+            to[2] = static_cast<std::uint8_t>(pixel);
         }
     }
     XDestroyImage(image);
