@@ -203,7 +203,7 @@ class Reader {
 
     const std::string& name_;
     const ColumnMap& map_;
-    Table file_;
+    ForeignTable file_;
     FileProblems problems_;
     NumberReader numbers_;
     std::optional<Columns> columns_;

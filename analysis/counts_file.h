@@ -10,9 +10,9 @@
 
 namespace obscura::analysis {
 
-/// Votes from a table of any program (Table) with the columns variant_a, variant_b, count_a and
-/// count_b, in any order, and where they are there condition, hypothesis, validity and scene; one
-/// row a condition, which is called by its scene and variants where the file gives it no name.
+/// Votes from a table of any program (ForeignTable) with the columns variant_a, variant_b, count_a
+/// and count_b, in any order, and where they are there condition, hypothesis, validity and scene;
+/// one row a condition, which is called by its scene and variants where the file gives it no name.
 /// Which variant is A says is_a_of() in analysis/direction.h, whichever way round a row names them;
 /// conditions are in natural order of their names.
 /// `map` says what the file calls the columns; others are passed over and named in Tally::notes.

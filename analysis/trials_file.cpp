@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/trials_file.h"
 
-#include <algorithm>
-#include <array>
-#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +12,8 @@
 #include "analysis/table/values.h"
 #include "analysis/trials_choice.h"
 #include "analysis/trials_columns.h"
+#include "analysis/trials_conditions.h"
+#include "analysis/trials_fields.h"
 #include "analysis/trials_order.h"
 #include "analysis/trials_repeats.h"
 #include "renderer/base/error.h"
@@ -27,15 +26,10 @@ std::uint64_t pair_of(std::uint32_t one, std::uint32_t other) {
     return (std::uint64_t{one} << 32U) | other;
 }
 
-bool is_control(char letter) {
-    const auto code = static_cast<unsigned char>(letter);
-    return code < 0x20U || code == 0x7FU;
-}
-
-/// Reads one row after another; texts become numbers at once.
-class Reader {
+/// Reads one row after another.
+class TrialsReader {
   public:
-    Reader(std::string bytes, const std::string& name, const ColumnMap& map)
+    TrialsReader(std::string bytes, const std::string& name, const ColumnMap& map)
         : map_(map),
           table_(named(name)),
           file_(std::move(bytes), table_.source),
@@ -57,7 +51,7 @@ class Reader {
         problems_.throw_if_any();
         if (table_.answers.empty()) throw no_answers();
         settle_direction(table_);
-        shorten_names();
+        conditions_->shorten_names();
         write_notes();
         return std::move(table_);
     }
@@ -75,14 +69,8 @@ class Reader {
         problems_.throw_if_any();
         choice_.emplace(*columns_, problems_);
         order_.emplace(*columns_, problems_, numbers_);
-    }
-
-    [[nodiscard]] std::string_view field(const CsvRow& row, TrialsColumn column) const {
-        return columns_->field(row, column);
-    }
-    void report(const CsvRow& row, TrialsColumn column, std::string_view value,
-                std::string_view allowed) {
-        columns_->report(problems_, row.line, column, value, allowed);
+        fields_.emplace(table_, *columns_, problems_);
+        conditions_.emplace(table_, *columns_, problems_, *fields_);
     }
 
     [[nodiscard]] base::Error no_answers() const {
@@ -127,8 +115,8 @@ class Reader {
     }
 
     void read_row(const CsvRow& row) {
-        const bool has_a = !is_missing_name(field(row, kConditionA));
-        const bool has_b = !is_missing_name(field(row, kConditionB));
+        const bool has_a = !is_missing_name(fields_->field(row, kConditionA));
+        const bool has_b = !is_missing_name(fields_->field(row, kConditionB));
         if (!has_a && !has_b) return no_trials_.add(row.line);
         if (has_a && has_b && !choice_->is_answered(row)) return unanswered_.add(row.line);
         AnswerEntry answer;
@@ -140,50 +128,20 @@ class Reader {
         read_index(row, answer);
         read_time(row, answer);
         read_attention(row, answer);
-        read_condition(row, answer);
+        conditions_->read(row, answer);
         order_->check_response(row, answer);
         table_.answers.push_back(answer);
         repeats_.add(row);
     }
 
-    /// The number of the field's text; most rows repeat what the row before says.
-    std::uint32_t number_of(const CsvRow& row, TrialsColumn column) {
-        const std::string_view text = field(row, column);
-        std::uint32_t& last = last_[column];
-        if (table_.names[last] == text) return last;
-        if (is_missing_name(text)) return 0;
-        const std::size_t known = table_.names.size();
-        last = table_.names.number_of(text);
-        if (last >= known) check_name(row, column, text);
-        return last;
-    }
-
-    void check_name(const CsvRow& row, TrialsColumn column, std::string_view text) {
-        constexpr std::size_t kLongestName = 1000;
-        if (std::any_of(text.begin(), text.end(), is_control)) {
-            report(row, column, text, "is text without control characters");
-        } else if (text.size() > kLongestName) {
-            report(row, column, text,
-                   fmt::format("are {} bytes, not {}", kLongestName, text.size()));
-        }
-    }
-
-    std::uint32_t needed(const CsvRow& row, TrialsColumn column) {
-        const std::uint32_t number = number_of(row, column);
-        if (number == 0) {
-            problems_.add(row.line, fmt::format("column {} is empty", columns_->name(column)));
-        }
-        return number;
-    }
-
     void read_kind(const CsvRow& row, AnswerEntry& answer) {
-        const std::string_view text = field(row, kKind);
+        const std::string_view text = fields_->field(row, kKind);
         if (is_missing(text)) return;
         const auto kind = kind_from(lower(text));
         if (kind) {
             answer.kind = *kind;
         } else {
-            report(
+            fields_->report(
                 row, kKind, text,
                 "are participant, practice, catch, simulated; --map kind= passes the column over");
         }
@@ -191,15 +149,16 @@ class Reader {
 
     /// Sessions of different observers may have the same name in the file.
     void read_session(const CsvRow& row, AnswerEntry& answer) {
-        const std::uint32_t observer = needed(row, kObserver);
-        const std::uint32_t name = number_of(row, kSessionId);
+        const std::uint32_t observer = fields_->needed(row, kObserver);
+        const std::uint32_t name = fields_->number_of(row, kSessionId);
         const auto number = static_cast<std::uint32_t>(table_.sessions.size());
         const auto [place, is_new] = session_.emplace(pair_of(observer, name), number);
         answer.session = place->second;
         if (is_new) {
             table_.sessions.push_back({name == 0 ? observer : name, observer,
-                                       number_of(row, kStudy), number_of(row, kExclusion),
-                                       Kind::kParticipant, SessionState::kCompleted});
+                                       fields_->number_of(row, kStudy),
+                                       fields_->number_of(row, kExclusion), Kind::kParticipant,
+                                       SessionState::kCompleted});
             has_kind_.push_back(false);
             check_exclusion(row);
         }
@@ -209,35 +168,35 @@ class Reader {
         read_session_state(row, session, is_new);
         if (answer.kind != Kind::kParticipant && answer.kind != Kind::kSimulated) return;
         if (has_kind_[answer.session] && session.kind != answer.kind) {
-            report(row, kKind, to_string(answer.kind),
-                   fmt::format("is {} as before in session {}", to_string(session.kind),
-                               field(row, kSessionId)));
+            fields_->report(row, kKind, to_string(answer.kind),
+                            fmt::format("is {} as before in session {}", to_string(session.kind),
+                                        fields_->field(row, kSessionId)));
         }
         session.kind = answer.kind;
         has_kind_[answer.session] = true;
     }
 
     void check_exclusion(const CsvRow& row) {
-        const std::string_view text = field(row, kExclusion);
+        const std::string_view text = fields_->field(row, kExclusion);
         if (const auto why = exclusion_problem(text); why) {
-            report(row, kExclusion, text, *why);
+            fields_->report(row, kExclusion, text, *why);
         }
     }
 
     void same_in_session(const CsvRow& row, TrialsColumn column, std::uint32_t before) {
-        if (number_of(row, column) == before) return;
-        report(row, column, field(row, column),
-               fmt::format("is '{}' as before in session {}", table_.names[before],
-                           field(row, kSessionId)));
+        if (fields_->number_of(row, column) == before) return;
+        fields_->report(row, column, fields_->field(row, column),
+                        fmt::format("is '{}' as before in session {}", table_.names[before],
+                                    fields_->field(row, kSessionId)));
     }
 
     void read_session_state(const CsvRow& row, SessionEntry& session, bool is_new) {
         if (!columns_->has(kSessionState)) return;
-        const std::string_view text = field(row, kSessionState);
+        const std::string_view text = fields_->field(row, kSessionState);
         const auto state = session_state_from(lower(text));
         if (!state || (!is_new && *state != session.state)) {
-            report(row, kSessionState, text,
-                   "are open, completed, abandoned, the same in all rows of a session");
+            fields_->report(row, kSessionState, text,
+                            "are open, completed, abandoned, the same in all rows of a session");
             return;
         }
         session.state = *state;
@@ -245,11 +204,12 @@ class Reader {
 
     void read_index(const CsvRow& row, AnswerEntry& answer) {
         if (columns_->has(kTrialIndex)) {
-            const std::string_view text = field(row, kTrialIndex);
+            const std::string_view text = fields_->field(row, kTrialIndex);
             const auto index = numbers_.whole(text, kLastIndex);
             if (!index) {
-                report(row, kTrialIndex, text,
-                       "is a whole number from 0; --map trial_index= passes the column over");
+                fields_->report(
+                    row, kTrialIndex, text,
+                    "is a whole number from 0; --map trial_index= passes the column over");
                 return;
             }
             answer.trial_index = static_cast<std::int32_t>(*index);
@@ -262,13 +222,14 @@ class Reader {
     void read_time(const CsvRow& row, AnswerEntry& answer) {
         const TrialsColumn column =
             columns_->has(kResponseTimeMs) ? kResponseTimeMs : kResponseTime;
-        const std::string_view text = field(row, column);
+        const std::string_view text = fields_->field(row, column);
         if (is_missing(text)) return;
         const auto time = numbers_.number(text);
         if (!time || *time < 0.0) {
-            report(row, column, text,
-                   column == kResponseTime ? "is a number of seconds from 0, or nothing or n/a"
-                                           : "is a number of milliseconds from 0, or nothing");
+            fields_->report(row, column, text,
+                            column == kResponseTime
+                                ? "is a number of seconds from 0, or nothing or n/a"
+                                : "is a number of milliseconds from 0, or nothing");
             return;
         }
         constexpr double kMillisecondsPerSecond = 1000.0;
@@ -278,152 +239,46 @@ class Reader {
     }
 
     void read_attention(const CsvRow& row, AnswerEntry& answer) {
-        const std::string_view expected = field(row, kExpected);
+        const std::string_view expected = fields_->field(row, kExpected);
         if (!is_missing(expected)) {
             if ((expected != "A" && expected != "B") || answer.kind != Kind::kCatch) {
-                report(row, kExpected, expected, "are A, B for kind catch, else nothing");
+                fields_->report(row, kExpected, expected, "are A, B for kind catch, else nothing");
             }
             answer.expected = expected.front();
         }
-        answer.repeats = number_of(row, kRepeats);
+        answer.repeats = fields_->number_of(row, kRepeats);
         if (answer.repeats == 0) return;
         const bool is_vote = answer.kind == Kind::kParticipant || answer.kind == Kind::kSimulated;
-        if (!is_vote || answer.repeats == number_of(row, kCondition)) {
-            report(row, kRepeats, table_.names[answer.repeats],
-                   "is another condition, for kind participant or simulated");
+        if (!is_vote || answer.repeats == fields_->number_of(row, kCondition)) {
+            fields_->report(row, kRepeats, table_.names[answer.repeats],
+                            "is another condition, for kind participant or simulated");
         }
-    }
-
-    void read_condition(const CsvRow& row, AnswerEntry& answer) {
-        const std::string validity = lower(field(row, kValidity));
-        const bool is_level = validity == "low" || validity == "moderate" || validity == "high";
-        if (!is_level && !is_missing(validity)) {
-            report(row, kValidity, field(row, kValidity),
-                   "are low, moderate, high; --map validity= passes the column over");
-        }
-        ConditionEntry shown;
-        shown.variant_a = needed(row, kConditionA);
-        shown.variant_b = needed(row, kConditionB);
-        shown.hypothesis = number_of(row, kHypothesis);
-        shown.validity = is_level ? table_.names.number_of(validity) : 0;
-        shown.scene = number_of(row, kScene);
-        shown.study_a = number_of(row, kStudyA);
-        if (shown.study_a != 0 && shown.study_a != shown.variant_a &&
-            shown.study_a != shown.variant_b) {
-            report(row, kStudyA, field(row, kStudyA), "is one of the row's two variants");
-        }
-        if (columns_->has(kCondition)) {
-            shown.id = needed(row, kCondition);
-        } else if (!name_condition(row, shown)) {
-            return;
-        }
-        answer.condition = table_.place_of(shown);
-        check_description(row, answer);
-    }
-
-    /// Calls a condition by what it shows: scene, variants and level.
-    bool name_condition(const CsvRow& row, ConditionEntry& shown) {
-        if (shown.variant_a == shown.variant_b) {
-            report(row, kConditionB, field(row, kConditionB),
-                   "is another variant than condition_A");
-            return false;
-        }
-        ConditionEntry pair;
-        pair.scene = shown.scene;
-        pair.validity = shown.validity;
-        std::tie(pair.variant_a, pair.variant_b) = std::minmax(shown.variant_a, shown.variant_b);
-        const auto [named, is_new] = named_.emplace(pair, 0);
-        if (is_new) {
-            const std::string& level = table_.names[pair.validity];
-            named->second = table_.names.number_of(
-                level.empty() ? pair_name(pair) : fmt::format("{} ({})", pair_name(pair), level));
-        }
-        shown.id = named->second;
-        return true;
-    }
-
-    /// `atrium: None - Blizzard24`
-    [[nodiscard]] std::string pair_name(const ConditionEntry& pair) const {
-        const std::string* a = &table_.names[pair.variant_a];
-        const std::string* b = &table_.names[pair.variant_b];
-        if (is_a_of(*b, *a)) std::swap(a, b);
-        const std::string& scene = table_.names[pair.scene];
-        return fmt::format("{}{}{} - {}", scene, scene.empty() ? "" : ": ", *a, *b);
-    }
-
-    /// The level is part of a condition's name only where a scene and pair have several.
-    void shorten_names() {
-        std::map<std::string, std::vector<std::uint32_t>> levels;
-        for (const auto& [pair, id] : named_) levels[pair_name(pair)].push_back(id);
-        std::unordered_map<std::uint32_t, std::uint32_t> shorter;
-        for (const auto& [name, ids] : levels) {
-            if (ids.size() == 1) shorter.emplace(ids.front(), table_.names.number_of(name));
-        }
-        table_.rename(shorter);
-    }
-
-    /// A condition is the same thing in every row that is counted together.
-    void check_description(const CsvRow& row, const AnswerEntry& answer) {
-        const SessionEntry& session = table_.sessions[answer.session];
-        if (session.state != SessionState::kCompleted || answer.kind != session.kind) return;
-        ConditionEntry key;
-        key.id = table_.conditions[answer.condition].id;
-        key.hypothesis = session.study;
-        key.validity = static_cast<std::uint32_t>(answer.kind);
-        const auto [first, is_new] = described_.emplace(key, std::pair(answer.condition, row.line));
-        if (first->second.first == answer.condition ||
-            is_same_thing(table_.conditions[first->second.first],
-                          table_.conditions[answer.condition])) {
-            return;
-        }
-        problems_.add(row.line,
-                      fmt::format("condition '{}' is {}, allowed is what line {} says: {}",
-                                  table_.names[key.id], description_of(answer.condition),
-                                  first->second.second, description_of(first->second.first)));
-    }
-
-    /// Whichever variant is called A; one condition may be shown in several scenes.
-    [[nodiscard]] static bool is_same_thing(const ConditionEntry& one,
-                                            const ConditionEntry& other) {
-        return one.hypothesis == other.hypothesis && one.validity == other.validity &&
-               std::minmax(one.variant_a, one.variant_b) ==
-                   std::minmax(other.variant_a, other.variant_b);
-    }
-
-    [[nodiscard]] std::string description_of(std::uint32_t condition) const {
-        const ConditionEntry& shown = table_.conditions[condition];
-        const Names& names = table_.names;
-        return fmt::format("{} against {} (validity '{}', hypothesis '{}')", names[shown.variant_a],
-                           names[shown.variant_b], names[shown.validity], names[shown.hypothesis]);
     }
 
     const ColumnMap& map_;
     AnswerTable table_;
-    Table file_;
+    ForeignTable file_;
     FileProblems problems_;
     NumberReader numbers_;
     std::optional<TrialsColumns> columns_;
     std::optional<ChoiceReader> choice_;
     std::optional<OrderReader> order_;
+    std::optional<TrialFields> fields_;
+    std::optional<ConditionReader> conditions_;
     RepeatFinder repeats_;
     Lines no_trials_;   ///< rows without variants
     Lines unanswered_;  ///< rows without a choice
     int header_line_ = 1;
     double times_s_ = 0.0;  ///< the sum of the known times
     std::size_t timed_ = 0;
-    std::array<std::uint32_t, kColumnCount> last_{};            ///< number of each column's text
     std::unordered_map<std::uint64_t, std::uint32_t> session_;  ///< observer and name to place
     std::vector<bool> has_kind_;                                ///< of each session
-    /// Scene, level and two variants, to the condition's name.
-    std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> named_;
-    /// Condition, study and kind, to the first description and its line.
-    std::unordered_map<ConditionEntry, std::pair<std::uint32_t, int>, ConditionHash> described_;
 };
 
 }  // namespace
 
 AnswerTable parse_trials(std::string bytes, const std::string& name, const ColumnMap& map) {
-    return Reader(std::move(bytes), name, map).read();
+    return TrialsReader(std::move(bytes), name, map).read();
 }
 
 AnswerTable read_trials(const std::filesystem::path& file, const ColumnMap& map) {

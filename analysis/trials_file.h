@@ -10,8 +10,8 @@
 
 namespace obscura::analysis {
 
-/// Forced-choice answers from a table of any program (Table), one row a trial, columns in any
-/// order. Needed are:
+/// Forced-choice answers from a table of any program (ForeignTable), one row a trial, columns in
+/// any order. Needed are:
 /// - observer (or participant_id), condition_A, condition_B: who compared what;
 /// - is_A_selected or chose_B: yes or no in any spelling (truth()); or chosen (ChoiceReader): the
 ///   chosen variant.

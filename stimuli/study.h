@@ -15,7 +15,7 @@
 #include "renderer/technique/technique.h"
 #include "stimuli/order/order.h"
 #include "stimuli/scenes/scene_settings.h"
-#include "stimuli/validity.h"
+#include "stimuli/scenes/validity.h"
 
 namespace obscura::stimuli {
 

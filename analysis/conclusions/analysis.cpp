@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/order.h"
 #include "analysis/conclusions/participants.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/conclusions/resampled.h"
@@ -32,19 +33,17 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
                             condition.variant_a, condition.variant_b,  condition.votes,
                             condition.view};
         result.preference = preference_of(condition.votes);
-        if (result.preference.chi_square.has_value()) {
-            family.push_back(result.preference.chi_square->p.p);
-        }
+        // The family is that of the study, whoever answered: what cannot be tested counts as 1.
+        const Possible<PValue>& p = result.preference.exact;
+        family.push_back(p.has_value() ? p->p : 1.0);
         results.push_back(std::move(result));
     }
     const std::vector<double> by_holm = holm(family);
     const std::vector<double> by_rate = benjamini_hochberg(family);
-    std::size_t next = 0;
-    for (ConditionResult& result : results) {
-        if (!result.preference.chi_square.has_value()) continue;
-        result.p_holm = by_holm[next];
-        result.p_bh = by_rate[next];
-        ++next;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!results[i].preference.exact.has_value()) continue;
+        results[i].p_holm = by_holm[i];
+        results[i].p_bh = by_rate[i];
     }
     return results;
 }
@@ -52,11 +51,9 @@ std::vector<ConditionResult> test_conditions(const Tally& tally) {
 std::string sentence_of(const std::vector<ConditionResult>& conditions) {
     std::vector<std::string> alone;
     std::vector<std::string> corrected;
-    std::int64_t tests = 0;
     for (const ConditionResult& result : conditions) {
         if (!result.p_holm.has_value()) continue;
-        ++tests;
-        if (is_significant(result.preference.chi_square)) alone.push_back(result.condition.id);
+        if (is_significant(result.preference.exact)) alone.push_back(result.condition.id);
         if (*result.p_holm < kSignificance) corrected.push_back(result.condition.id);
     }
     const auto list = [](const std::vector<std::string>& ids) {
@@ -65,7 +62,8 @@ std::string sentence_of(const std::vector<ConditionResult>& conditions) {
     return fmt::format(
         "Significant at {:g} each for itself: {}. Still so after Holm's correction for {}: "
         "{}.",
-        kSignificance, list(alone), counted(tests, "test"), list(corrected));
+        kSignificance, list(alone), counted(static_cast<std::int64_t>(conditions.size()), "test"),
+        list(corrected));
 }
 
 std::vector<OrderStratum> order_strata(const Tally& tally) {
@@ -85,6 +83,9 @@ void analyse_participants(Analysis& analysis, std::uint64_t seed) {
     const Tally& tally = analysis.tally;
     const VotesByParticipant votes(tally);
     test_participants(analysis.hypotheses, tally);
+    if (analysis.order_bias.has_value()) {
+        analysis.order_bias.value->by_participant = order_by_participant(votes);
+    }
     analysis.attention = attention_of(tally, votes);
     analysis.response_times = response_times(tally, votes);
     analysis.learning = learning_of(tally, votes);
@@ -98,12 +99,14 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
     if (is_published_votes(analysis.tally)) add_published_views(analysis.tally);
     analysis.conditions = test_conditions(analysis.tally);
     analysis.sentence = sentence_of(analysis.conditions);
-    analysis.hypotheses = test_hypotheses(analysis.conditions);
+    analysis.hypotheses =
+        test_hypotheses(analysis.conditions, secondary_conditions(analysis.tally));
     analysis.validity = test_validity(analysis.tally);
     analysis.scales = variant_scales(analysis.tally);
     const Possible<OrderVotes>& order = analysis.tally.order;
     if (order.has_value()) {
         analysis.order_bias = OrderBias{*order, exact_binomial(order->second_chosen, order->n),
+                                        Possible<OrderByParticipant>::none("not known"),
                                         order_bias(order_strata(analysis.tally))};
     } else {
         analysis.order_bias = Possible<OrderBias>::none(order.reason);

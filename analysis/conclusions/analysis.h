@@ -43,7 +43,8 @@ struct Preference {
 struct ConditionResult {
     ConditionVotes condition;  ///< without its answers, which Analysis::tally has
     Preference preference;
-    /// The chi-square p-value after Holm's correction over all conditions that have one.
+    /// The exact p-value after Holm's correction over all conditions; one without votes counts
+    /// as 1.
     Possible<double> p_holm = Possible<double>::none("no votes");
     /// The same after Benjamini and Hochberg's.
     Possible<double> p_bh = Possible<double>::none("no votes");
@@ -58,12 +59,13 @@ struct Pooling {
 /// What an interval of a pooled share rests on.
 enum class ShareIntervalKind {
     kResampled,  ///< participants drawn anew, no narrower than Wilson's of independent votes
+    kMeans,      ///< t of the participants' own shares
     kEachOnce,   ///< Clopper-Pearson's, each participant counted once: nobody varies, or few
                  ///< answered
     kCounts      ///< Wilson's, as many votes as one condition has: who gave them is not known
 };
 struct ShareInterval {
-    Interval bounds;  ///< 95 %, of the share of B
+    Interval bounds;  ///< of the share of B
     ShareIntervalKind kind = ShareIntervalKind::kCounts;
 };
 
@@ -71,6 +73,7 @@ struct ShareInterval {
 struct HypothesisResult {
     std::string name;
     std::vector<std::string> conditions;
+    std::vector<std::string> secondary;  ///< conditions that name it and are no part of its test
     /// No value, with the reason, where "B" is not the same thing in each condition. There is then
     /// nothing pooled.
     Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
@@ -79,9 +82,12 @@ struct HypothesisResult {
     Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
     /// Of the pooled share of B, by drawing participants anew.
     Possible<Interval> resampled = Possible<Interval>::none("not known");
-    /// The interval to read, which the verdict rests on.
+    /// 95 %, the interval to read.
     Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
-    int significant = 0;       ///< conditions with p below the level
+    /// 90 %: where it lies within the relevant margin, two one-sided tests at .05 say that the
+    /// images are practically equal (D. J. Schuirmann 1987).
+    Possible<ShareInterval> equality_interval = Possible<ShareInterval>::none("no votes");
+    int significant = 0;       ///< conditions with an exact p below the level
     int significant_holm = 0;  ///< those still below it after Holm's correction
     std::string sentence;
 };
@@ -112,6 +118,7 @@ struct LevelDifference {
     std::size_t to = 0;
     double difference = 0.0;  ///< share at `to` less share at `from`, -1 to 1
     Interval interval;        ///< 95 %
+    Interval equality;        ///< 90 %, for two one-sided tests at .05
     DifferenceKind kind = DifferenceKind::kCounts;
 };
 
@@ -133,8 +140,9 @@ struct Comparison {
     std::vector<LevelDifference> differences;  ///< of every two levels with votes
 };
 
-/// The p-value to read: Cochran's Q over more than two rows and McNemar's test over two where the
-/// answers of each participant are known, the test of counts otherwise. It is 1 where every
+/// The p-value to read: Cochran's Q over more than two rows and McNemar's exact test over two where
+/// the answers of each participant are known; otherwise Fisher's exact test of two rows of counts,
+/// chi-square of more. It is 1 where every
 /// participant answered alike at every level.
 [[nodiscard]] Possible<PValue> p_of(const Comparison& comparison);
 
@@ -162,9 +170,29 @@ inline constexpr const char* kValidityQuestion = "validity";
 /// Conditions with the same variants beyond which they are not compared two by two.
 inline constexpr std::size_t kMostPairedConditions = 20;
 
+/// How the order of showing was tested over participants, whose answers hang together.
+enum class OrderTestKind {
+    kSideGroups,  ///< side is constant for each: those who saw B second against those who saw it
+                  ///< first
+    kSignFlip     ///< it varies for each: votes for the second image less those for the first
+};
+
+struct OrderByParticipant {
+    OrderTestKind kind = OrderTestKind::kSignFlip;
+    std::int64_t participants = 0;
+    std::int64_t left_out = 0;  ///< who did not answer as many conditions as the others
+    PValue p;
+    bool is_exact = true;
+    /// By how much more often the second image is chosen than the first, -1 to 1.
+    double difference = 0.0;
+    Possible<Interval> interval = Possible<Interval>::none("too few participants");  ///< 95 %, by t
+};
+
 struct OrderBias {
     OrderVotes votes;
+    /// As if every answer were independent, which they are not: the test to read is by_participant.
     Possible<PValue> exact = Possible<PValue>::none("no votes");
+    Possible<OrderByParticipant> by_participant = Possible<OrderByParticipant>::none("not known");
     /// With a term for each condition, so that unbalanced orders do no harm.
     Possible<OrderBiasTest> logistic = Possible<OrderBiasTest>::none("not counted");
 };
@@ -265,15 +293,20 @@ struct RunPower {
 };
 
 /// What the answers say about a hypothesis.
-enum class Conclusion { kNoEvidence, kEvidenceFor, kEvidenceAgainst, kTooFew, kNotTested };
+enum class Conclusion { kUndecided, kBPreferred, kAPreferred, kEqual, kDiffers, kSame, kNotTested };
 
-/// `no evidence`, `evidence for`, `evidence against`, `too few participants to say`, `not tested`.
-[[nodiscard]] std::string_view to_string(Conclusion conclusion);
+/// `undecided`, `B preferred over A`, `A preferred over B`, `practically equal (within 15 points)`;
+/// on validity `the effect differs with lighting`, `equal within 15 points`; `not tested`.
+[[nodiscard]] std::string to_string(Conclusion conclusion);
 
 struct Verdict {
     std::string hypothesis;
     bool is_on_validity = false;
     Conclusion conclusion = Conclusion::kNotTested;
+    /// There is a preference, or the effect differs, and by less than a study is taken to care
+    /// about.
+    bool is_small = false;
+    std::string direction;  ///< where the effect differs: `B more often at high than at moderate`
     /// Of the test that the verdict rests on; of validity, of the comparison with the smallest.
     Possible<PValue> p = Possible<PValue>::none("no votes");
     /// After Holm's correction over the tests of all verdicts.
@@ -281,8 +314,17 @@ struct Verdict {
     std::size_t tests = 0;  ///< that were corrected together
     /// 95 %, of the share of B; of validity, of the difference that may be largest.
     Possible<Interval> interval = Possible<Interval>::none("no votes");
+    Possible<Interval> equality = Possible<Interval>::none("no votes");  ///< 90 %, of the same
     std::string sentence;  ///< with the conclusion and its numbers
 };
+
+/// The conclusion with its direction and whether it is small: `B preferred over A by less than the
+/// relevant 15 points`.
+[[nodiscard]] std::string verdict_words(const Verdict& verdict);
+
+/// The confidence of intervals that lie within a margin just where two one-sided tests at
+/// kSignificance say so.
+inline constexpr double kEqualityConfidence = 1.0 - 2.0 * kSignificance;
 
 /// A difference between two levels of validity that a study is taken to care about: as from one
 /// half to kRelevantShare.

@@ -13,6 +13,8 @@
 #include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/mean_test.h"
+#include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 namespace {
@@ -33,11 +35,15 @@ Preference nothing_pooled(const std::string& why) {
 
 std::string alone_words(const HypothesisResult& result, std::size_t tests) {
     return fmt::format(
-        "Alone {} of its {} {} significant at {:g}, after Holm's correction for {} {}.",
+        "Alone {} of its {} {} significant at {:g}, after Holm's correction for {} {}.{}",
         result.significant,
         counted(static_cast<std::int64_t>(result.conditions.size()), "condition"),
         result.significant == 1 ? "is" : "are", kSignificance,
-        counted(static_cast<std::int64_t>(tests), "test"), result.significant_holm);
+        counted(static_cast<std::int64_t>(tests), "test"), result.significant_holm,
+        result.secondary.empty()
+            ? ""
+            : fmt::format(" {} {} secondary and no part of it.", listed(result.secondary),
+                          result.secondary.size() == 1 ? "is" : "are"));
 }
 
 std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
@@ -64,14 +70,20 @@ Votes turned(const Votes& votes, bool is_turned) {
 }
 
 HypothesisResult tested(const std::string& name, const std::vector<const ConditionResult*>& own,
-                        std::size_t tests) {
+                        const std::vector<std::string>& secondary, std::size_t tests) {
     HypothesisResult result;
     result.name = name;
     std::vector<const ConditionVotes*> conditions;
     for (const ConditionResult* condition : own) {
+        const std::string& id = condition->condition.id;
+        if (own.size() > 1 &&
+            std::find(secondary.begin(), secondary.end(), id) != secondary.end()) {
+            result.secondary.push_back(id);
+            continue;
+        }
         conditions.push_back(&condition->condition);
         result.conditions.push_back(condition->condition.id);
-        if (is_significant(condition->preference.chi_square)) ++result.significant;
+        if (is_significant(condition->preference.exact)) ++result.significant;
         if (condition->p_holm.has_value() && *condition->p_holm < kSignificance) {
             ++result.significant_holm;
         }
@@ -90,6 +102,7 @@ HypothesisResult tested(const std::string& name, const std::vector<const Conditi
         result.resampled = Possible<Interval>::none(result.pooling.reason);
         result.by_participant = Possible<SignFlipTest>::none(result.pooling.reason);
         result.interval = Possible<ShareInterval>::none(result.pooling.reason);
+        result.equality_interval = Possible<ShareInterval>::none(result.pooling.reason);
     }
     result.sentence = sentence_of(result, tests);
     return result;
@@ -109,11 +122,16 @@ Own conditions_of(std::vector<HypothesisResult>& hypotheses) {
     return own;
 }
 
+bool is_part_of(const HypothesisResult& result, const ConditionVotes& condition) {
+    const auto& ids = result.conditions;
+    return std::find(ids.begin(), ids.end(), condition.id) != ids.end();
+}
+
 /// Participants who answered any of the hypothesis's conditions.
 std::int64_t participants_of(const HypothesisResult& result, const Tally& tally) {
     std::vector<bool> answered(tally.participants.size());
     for (const ConditionVotes& condition : tally.conditions) {
-        if (condition.hypothesis != result.name) continue;
+        if (!is_part_of(result, condition)) continue;
         for (const Answer& answer : condition.answers) {
             answered[static_cast<std::size_t>(answer.participant)] = true;
         }
@@ -124,7 +142,7 @@ std::int64_t participants_of(const HypothesisResult& result, const Tally& tally)
 std::int64_t most_votes_of(const HypothesisResult& result, const Tally& tally) {
     std::int64_t most = 0;
     for (const ConditionVotes& condition : tally.conditions) {
-        if (condition.hypothesis == result.name) most = std::max(most, condition.votes.n());
+        if (is_part_of(result, condition)) most = std::max(most, condition.votes.n());
     }
     return most;
 }
@@ -146,11 +164,52 @@ ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
     return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
 }
 
+/// The share of B of each participant who answered any of the hypothesis's conditions.
+std::vector<double> own_shares(const HypothesisResult& result, const Tally& tally) {
+    std::vector<Votes> own(tally.participants.size());
+    for (const ConditionVotes& condition : tally.conditions) {
+        const auto place =
+            std::find(result.conditions.begin(), result.conditions.end(), condition.id);
+        if (place == result.conditions.end()) continue;
+        const bool is_turned =
+            result.pooling->turned[static_cast<std::size_t>(place - result.conditions.begin())];
+        for (const Answer& answer : condition.answers) {
+            Votes& votes = own[static_cast<std::size_t>(answer.participant)];
+            ++(answer.chose_b != is_turned ? votes.b : votes.a);
+        }
+    }
+    std::vector<double> shares;
+    for (const Votes& votes : own) {
+        if (votes.n() > 0) {
+            shares.push_back(static_cast<double>(votes.b) / static_cast<double>(votes.n()));
+        }
+    }
+    return shares;
+}
+
+/// By t of the participants' own shares; exact, each counted once, where nobody varies or few
+/// answered; from counts, as many votes as one condition has.
+ShareInterval equality_of(const HypothesisResult& result, const Tally& tally) {
+    const double share = *result.pooled.share_b;
+    if (tally.participants.empty()) {
+        const auto interval =
+            wilson_of_share(share, most_votes_of(result, tally), kEqualityConfidence);
+        return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
+    }
+    const std::vector<double> shares = own_shares(result, tally);
+    const auto n = static_cast<std::int64_t>(shares.size());
+    const auto test = mean_test(shares, kEqualityConfidence);
+    if (test.has_value() && n >= kFewestResampled) {
+        return {{std::max(0.0, test->interval.low), std::min(1.0, test->interval.high)},
+                ShareIntervalKind::kMeans};
+    }
+    const auto interval = clopper_pearson_of_share(share, n, kEqualityConfidence);
+    return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
+}
+
 }  // namespace
 
-bool is_significant(const Possible<ChiSquareTest>& test) {
-    return test.has_value() && test->p.p < kSignificance;
-}
+bool is_significant(const Possible<PValue>& p) { return p.has_value() && p->p < kSignificance; }
 
 Preference preference_of(const Votes& votes) {
     Preference preference;
@@ -168,16 +227,16 @@ Preference preference_of(const Votes& votes) {
     return preference;
 }
 
-std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions) {
+std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions,
+                                              const std::vector<std::string>& secondary) {
     std::map<std::string, std::vector<const ConditionResult*>> by_name;
-    std::size_t tests = 0;
     for (const ConditionResult& result : conditions) {
-        if (result.p_holm.has_value()) ++tests;
         if (result.condition.hypothesis.empty()) continue;
         by_name[result.condition.hypothesis].push_back(&result);
     }
     std::vector<HypothesisResult> results;
-    for (const auto& [name, own] : by_name) results.push_back(tested(name, own, tests));
+    for (const auto& [name, own] : by_name)
+        results.push_back(tested(name, own, secondary, conditions.size()));
     return results;
 }
 
@@ -200,7 +259,9 @@ void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& t
 
 void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
     for (HypothesisResult& result : hypotheses) {
-        if (result.pooled.votes.n() > 0) result.interval = interval_of(result, tally);
+        if (result.pooled.votes.n() == 0) continue;
+        result.interval = interval_of(result, tally);
+        result.equality_interval = equality_of(result, tally);
     }
 }
 
@@ -209,10 +270,7 @@ Possible<PValue> p_of(const HypothesisResult& result) {
     const bool is_of_participants =
         result.interval.has_value() && result.interval->kind != ShareIntervalKind::kCounts;
     if (is_of_participants) return PValue{};  // each of them chose both sides equally often
-    if (!result.pooled.chi_square.has_value()) {
-        return Possible<PValue>::none(result.pooled.chi_square.reason);
-    }
-    return result.pooled.chi_square->p;
+    return result.pooled.exact;
 }
 
 std::string test_words(const HypothesisResult& result) {
@@ -228,8 +286,8 @@ std::string test_words(const HypothesisResult& result) {
         return fmt::format("every participant chose both sides equally often, p {}", p_text(*p));
     }
     return fmt::format(
-        "chi-square {:.4g}, df 1, p {}, with votes of the same participants taken as independent",
-        result.pooled.chi_square->statistic, p_text(*p));
+        "exact binomial test p {}, with votes of the same participants taken as independent",
+        p_text(*p));
 }
 
 }  // namespace obscura::analysis

@@ -9,23 +9,26 @@
 namespace obscura::analysis {
 
 /// Whether the test alone, uncorrected, has p below .05; not where there is none.
-[[nodiscard]] bool is_significant(const Possible<ChiSquareTest>& test);
+[[nodiscard]] bool is_significant(const Possible<PValue>& p);
 
 /// Every test of one set of votes.
 [[nodiscard]] Preference preference_of(const Votes& votes);
 
-/// The hypotheses that conditions name, in order of their names, from the votes alone.
+/// The hypotheses that conditions name, in order of their names, from the votes alone. The
+/// conditions in `secondary` are no part of any.
 [[nodiscard]] std::vector<HypothesisResult> test_hypotheses(
-    const std::vector<ConditionResult>& conditions);
+    const std::vector<ConditionResult>& conditions, const std::vector<std::string>& secondary);
 
 /// Tests each by participants. The tally knows who voted.
 void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
 
-/// Fills HypothesisResult::interval; needs the resampled one where there is one.
+/// Fills HypothesisResult::interval and equality_interval; needs the resampled one where there is
+/// one.
 void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
 
 /// The p-value that a verdict on the hypothesis rests on: of participants where they are known (1
-/// where each of them chose both sides equally often), else of the counts.
+/// where each of them chose both sides equally often), else the exact
+/// binomial one of the counts.
 [[nodiscard]] Possible<PValue> p_of(const HypothesisResult& result);
 
 /// That test in words, with its numbers.

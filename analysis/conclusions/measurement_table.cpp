@@ -136,7 +136,7 @@ MeasuredSetting row_of(Reader& reader) {
     row.validity = reader.text("validity");
     row.technique = reader.text("technique");
     row.samples = reader.whole("samples");
-    row.blur = reader.text("blur");
+    row.denoise = reader.text("blur");
     if (const std::string format = reader.text("depth_format"); !format.empty()) {
         row.depth_format = format;
     }

@@ -21,7 +21,7 @@ struct MeasuredSetting {
     std::string validity;
     std::string technique;
     int samples = 0;
-    std::string blur;  ///< filter of the accessibility buffer, or none; empty: not said
+    std::string denoise;  ///< filter of the accessibility buffer, or none; empty: not said
     std::string depth_format = "r32f";
     double ao_scale = 1.0;  ///< size of the accessibility buffer over that of the image
     int width = 0;          ///< pixels; 0: not said
@@ -42,10 +42,10 @@ struct MeasurementTable {
 };
 
 /// The CSV table of `obscura measure`, columns in any order: scene, camera, validity, technique,
-/// samples, ms_median and rmse are needed; scene_id, blur, depth_format, ao_scale, width, height,
-/// device, fitted, bias, on_front, parameters and published are read where they are there, the
-/// others passed over. An empty cell is a value that was not measured. Throws bad input that lists
-/// what is wrong as `file:line: column, value, what is allowed`.
+/// samples, ms_median and rmse are needed; scene_id, denoise, depth_format, ao_scale, width,
+/// height, device, fitted, bias, on_front, parameters and published are read where they are there,
+/// the others passed over. An empty cell is a value that was not measured. Throws bad input that
+/// lists what is wrong as `file:line: column, value, what is allowed`.
 [[nodiscard]] MeasurementTable read_measurement(const std::filesystem::path& file);
 
 /// The same for text; `name` stands for it in messages.

@@ -57,7 +57,7 @@ bool shows_the_same(const MeasuredSetting& row, const ShownImage& image) {
 auto fitness(const MeasuredSetting& row, const ShownImage& image) {
     return std::tuple(names_side(row.published, image),
                       names_condition(row.published, image.condition), !row.fitted,
-                      row.blur == image.denoise, row.depth_format == image.depth_format,
+                      row.denoise == image.denoise, row.depth_format == image.depth_format,
                       row.ao_scale == 1.0, row.rmse.has_value(), row.ms_median.has_value());
 }
 

@@ -38,6 +38,14 @@ const std::vector<PrintedTest>& printed_table_4() {
     return table;
 }
 
+std::vector<std::string> secondary_conditions(const Tally& tally) {
+    return is_built_in(tally) ? std::vector<std::string>{"IV"} : std::vector<std::string>();
+}
+
+bool is_built_in(const Tally& tally) {
+    return tally.study == kPublishedStudy || is_published_votes(tally);
+}
+
 std::string published_participants() {
     return "The thesis (section 5.4) reports 36 people aged 18 to 56, 26 men and 10 women, most of "
            "them students of one programme, all with normal or corrected vision and none aware of "

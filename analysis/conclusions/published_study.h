@@ -26,6 +26,13 @@ void add_published_views(Tally& tally);
 /// Table 4, in its order.
 [[nodiscard]] const std::vector<PrintedTest>& printed_table_4();
 
+/// Conditions of the built-in study, and of the published votes, that serve no primary hypothesis:
+/// IV compares other techniques than the rest of H2. None of any other study.
+[[nodiscard]] std::vector<std::string> secondary_conditions(const Tally& tally);
+
+/// Whether these are the published votes or answers to the built-in study.
+[[nodiscard]] bool is_built_in(const Tally& tally);
+
 /// Who took part, from section 5.4 of the thesis, in this program's words.
 [[nodiscard]] std::string published_participants();
 

@@ -23,6 +23,10 @@ void add(Votes& sum, const Votes& votes, bool is_turned) {
     sum.b += is_turned ? votes.a : votes.b;
 }
 
+Interval wider(const Interval& one, const Interval& other) {
+    return {std::min(one.low, other.low), std::max(one.high, other.high)};
+}
+
 /// One pooled share in every sample.
 class PooledShare {
   public:
@@ -77,8 +81,9 @@ class LevelShares {
             if (difference.kind == DifferenceKind::kPaired) continue;
             const auto interval = percentile_interval(values_[i], kConfidence);
             if (!interval.has_value()) continue;
-            difference.interval = {std::min(difference.interval.low, interval->low),
-                                   std::max(difference.interval.high, interval->high)};
+            const auto equality = percentile_interval(values_[i], kEqualityConfidence);
+            difference.interval = wider(difference.interval, *interval);
+            difference.equality = wider(difference.equality, *equality);
             difference.kind = DifferenceKind::kResampled;
         }
     }

@@ -90,9 +90,7 @@ Possible<RunPower> run_power(const std::vector<ConditionResult>& conditions,
     if (power.n > kMostParticipants) {
         return None::none(fmt::format("more than {} votes", kMostParticipants));
     }
-    power.tests = static_cast<std::size_t>(
-        std::count_if(conditions.begin(), conditions.end(),
-                      [](const ConditionResult& result) { return result.p_holm.has_value(); }));
+    power.tests = conditions.size();
     const double holm_level = kSignificance / static_cast<double>(power.tests);
     for (const double share : kPowerShares) {
         power.shares.push_back({share, power_of(SplitTest::kExact, power.n, share, kSignificance),

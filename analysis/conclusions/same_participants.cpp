@@ -80,15 +80,7 @@ std::string mcnemar_words(const SameParticipants& same) {
     const McNemarTest& test = *same.mcnemar;
     const std::string changes =
         fmt::format("{} changed from B to A, {} from A to B", same.changed.a, same.changed.b);
-    if (test.is_exact_better()) {
-        return fmt::format("McNemar's exact test {}, {}, p {}", who(same), changes,
-                           p_text(test.exact));
-    }
-    return fmt::format(
-        "McNemar's test {}, {}, chi-square {:.4g}, df 1, p {} (with continuity correction {:.4g}, "
-        "p {})",
-        who(same), changes, test.uncorrected.statistic, p_text(test.uncorrected.p),
-        test.corrected.statistic, p_text(test.corrected.p));
+    return fmt::format("McNemar's exact test {}, {}, p {}", who(same), changes, p_text(test.exact));
 }
 
 std::string counts_words(const Comparison& comparison) {
@@ -96,7 +88,7 @@ std::string counts_words(const Comparison& comparison) {
     std::string text = fmt::format("chi-square {:.4g}, df {}, p {}", comparison.test->statistic,
                                    comparison.test->df, p_text(comparison.test->p));
     if (comparison.fisher.has_value()) {
-        text += fmt::format(", Fisher's exact p {}", p_text(*comparison.fisher));
+        text = fmt::format("Fisher's exact p {}, {}", p_text(*comparison.fisher), text);
     }
     return text + fmt::format(" (from counts alone: {})", comparison.same_participants.reason);
 }
@@ -133,12 +125,13 @@ Possible<SameParticipants> same_participants(const Conditions& conditions) {
 
 Possible<PValue> p_of(const Comparison& comparison) {
     if (!comparison.same_participants.has_value()) {
+        if (comparison.fisher.has_value()) return comparison.fisher;
         if (!comparison.test.has_value()) return Possible<PValue>::none(comparison.test.reason);
         return comparison.test->p;
     }
     const SameParticipants& same = *comparison.same_participants;
     if (comparison.votes.size() == 2)
-        return same.mcnemar.has_value() ? same.mcnemar->p() : PValue{};
+        return same.mcnemar.has_value() ? same.mcnemar->exact : PValue{};
     return same.cochran_q.has_value() ? same.cochran_q->p : PValue{};
 }
 

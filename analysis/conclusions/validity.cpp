@@ -101,10 +101,12 @@ std::vector<LevelDifference> differences_of(const Comparison& comparison, const 
                 at_levels(family, comparison.levels[from], comparison.levels[to]));
             if (same.has_value()) {
                 const auto interval = paired_difference(same->changed, same->n, kConfidence);
+                const auto equality =
+                    paired_difference(same->changed, same->n, kEqualityConfidence);
                 const auto n = static_cast<double>(same->n);
                 differences.push_back({from, to,
                                        static_cast<double>(same->changed.b - same->changed.a) / n,
-                                       *interval, DifferenceKind::kPaired});
+                                       *interval, *equality, DifferenceKind::kPaired});
                 continue;
             }
             const Votes& one = comparison.votes[from];
@@ -114,7 +116,9 @@ std::vector<LevelDifference> differences_of(const Comparison& comparison, const 
             const double difference =
                 static_cast<double>(other.b) / static_cast<double>(other.n()) -
                 static_cast<double>(one.b) / static_cast<double>(one.n());
-            differences.push_back({from, to, difference, *interval, DifferenceKind::kCounts});
+            differences.push_back({from, to, difference, *interval,
+                                   *share_difference(one, other, kEqualityConfidence),
+                                   DifferenceKind::kCounts});
         }
     }
     return differences;
@@ -208,13 +212,13 @@ std::string why_none(const Tally& tally) {
 }
 
 /// A name that no hypothesis of the study has.
-std::string name_of(const Tally& tally, bool is_built_in) {
+std::string name_of(const Tally& tally) {
     const auto is_free = [&](std::string_view name) {
         return std::none_of(
             tally.conditions.begin(), tally.conditions.end(),
             [&](const ConditionVotes& condition) { return condition.hypothesis == name; });
     };
-    std::string name = is_built_in && is_free("H3") ? "H3" : kValidityQuestion;
+    std::string name = is_built_in(tally) && is_free("H3") ? "H3" : kValidityQuestion;
     while (!is_free(name)) name = "the question about " + name;
     return name;
 }
@@ -235,12 +239,11 @@ std::string_view to_string(DifferenceKind kind) {
 
 Possible<ValidityResult> test_validity(const Tally& tally) {
     const bool is_published = is_published_votes(tally);
-    const bool is_built_in = is_published || tally.study == kPublishedStudy;
-    if (!is_built_in && !tally.asks_validity) {
+    if (!is_built_in(tally) && !tally.asks_validity) {
         return Possible<ValidityResult>::none("the study does not ask it");
     }
     ValidityResult result;
-    result.name = name_of(tally, is_built_in);
+    result.name = name_of(tally);
     const Families families(tally, true);
     for (const SamePair& family : families.at_several_levels()) {
         result.by_level.push_back(comparison_of(family, families));

@@ -16,24 +16,26 @@
 namespace obscura::analysis {
 namespace {
 
-/// Tests of all verdicts, corrected together.
+/// Tests of all verdicts, corrected together. What it holds follows from the study and not from who
+/// answered: a test that could not be computed is one of them, with p = 1.
 class Family {
   public:
-    /// The place of the test in the family; nothing where there is no p-value.
-    std::optional<std::size_t> add(const Possible<PValue>& p) {
-        if (!p.has_value()) return std::nullopt;
-        p_values_.push_back(p->p);
+    /// The place of the test in the family.
+    std::size_t add(const Possible<PValue>& p) {
+        p_values_.push_back(p.has_value() ? p->p : 1.0);
+        is_computed_.push_back(p.has_value());
         return p_values_.size() - 1;
     }
     void correct() { corrected_ = holm(p_values_); }
     [[nodiscard]] std::size_t size() const { return p_values_.size(); }
-    [[nodiscard]] Possible<double> at(const std::optional<std::size_t>& place) const {
-        if (!place) return Possible<double>::none("no test");
-        return corrected_[*place];
+    [[nodiscard]] Possible<double> at(std::size_t place) const {
+        if (!is_computed_[place]) return Possible<double>::none("no test");
+        return corrected_[place];
     }
 
   private:
     std::vector<double> p_values_;
+    std::vector<bool> is_computed_;
     std::vector<double> corrected_;
 };
 
@@ -48,22 +50,12 @@ std::string corrected_words(const Possible<double>& p_holm, std::size_t tests) {
 
 bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kSignificance; }
 
-std::string needed_words(const Analysis& analysis, const std::string& name) {
-    if (!analysis.power.has_value()) return "";
-    for (const RunPower::Needed& needed : analysis.power->hypotheses) {
-        if (needed.name != name || !needed.exact.has_value()) continue;
-        return fmt::format(
-            " To detect the observed share with {:g} % power, {} with "
-            "one vote each would have been needed.",
-            100.0 * kAskedPower, counted(*needed.exact, "participant"));
-    }
-    return "";
-}
-
 std::string kind_words(ShareIntervalKind kind) {
     switch (kind) {
         case ShareIntervalKind::kResampled:
             return "participants drawn anew";
+        case ShareIntervalKind::kMeans:
+            return "t of the participants' own shares";
         case ShareIntervalKind::kEachOnce:
             return "Clopper-Pearson, each participant counted once";
         case ShareIntervalKind::kCounts:
@@ -72,17 +64,26 @@ std::string kind_words(ShareIntervalKind kind) {
     return "";
 }
 
-/// The interval, and, where the test says nothing, what it leaves possible.
-std::string interval_words(const ShareInterval& interval, bool is_tested) {
-    const std::string text =
-        fmt::format("; the 95 % interval is {:.1f} to {:.1f} % ({})", 100.0 * interval.bounds.low,
-                    100.0 * interval.bounds.high, kind_words(interval.kind));
-    if (is_tested) return text;
-    const ShareReach reach = reach_of(interval.bounds);
+std::string bounds_words(const Interval& interval) {
+    return fmt::format("{:.1f} to {:.1f} %", 100.0 * interval.low, 100.0 * interval.high);
+}
+
+std::string points_words() { return fmt::format("{:g} points", 100.0 * kRelevantDifference); }
+
+/// The intervals, and what the narrower one says of shares that a study cares about.
+std::string interval_words(const HypothesisResult& result, bool is_tested) {
+    const ShareInterval& interval = *result.interval;
+    const ShareInterval& equality = *result.equality_interval;
+    std::string text = fmt::format("; the 95 % interval is {} ({}), the 90 % interval {}",
+                                   bounds_words(interval.bounds), kind_words(interval.kind),
+                                   bounds_words(equality.bounds));
+    if (equality.kind != interval.kind) text += fmt::format(" ({})", kind_words(equality.kind));
+    const ShareReach reach = reach_of(equality.bounds);
     if (!reach.for_a && !reach.for_b) {
         return text + fmt::format(", which excludes shares of {:g} % or more of either image",
                                   100.0 * kRelevantShare);
     }
+    if (is_tested) return text;
     return text + fmt::format(", which leaves a share of {} of {:g} % or more possible",
                               reach.for_a && reach.for_b ? "either image"
                               : reach.for_b              ? "B"
@@ -90,16 +91,8 @@ std::string interval_words(const ShareInterval& interval, bool is_tested) {
                               100.0 * kRelevantShare);
 }
 
-Conclusion conclusion_on(const Votes& votes, const Interval& interval, bool is_significant) {
-    if (is_significant) {
-        return votes.b > votes.a ? Conclusion::kEvidenceFor : Conclusion::kEvidenceAgainst;
-    }
-    const ShareReach reach = reach_of(interval);
-    return reach.for_a || reach.for_b ? Conclusion::kTooFew : Conclusion::kNoEvidence;
-}
-
-Verdict verdict_on(const HypothesisResult& result, const Analysis& analysis,
-                   const Possible<double>& p_holm, std::size_t tests) {
+Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_holm,
+                   std::size_t tests) {
     Verdict verdict;
     verdict.hypothesis = result.name;
     verdict.p = p_of(result);
@@ -107,20 +100,27 @@ Verdict verdict_on(const HypothesisResult& result, const Analysis& analysis,
     verdict.tests = tests;
     const Votes& votes = result.pooled.votes;
     if (!result.pooling.has_value() || votes.n() == 0) {
-        verdict.sentence = fmt::format("{}: {}. {}.", result.name, to_string(verdict.conclusion),
+        verdict.sentence = fmt::format("{}: {}. {}.", result.name, verdict_words(verdict),
                                        result.pooling.has_value() ? "Nobody answered its conditions"
                                                                   : capital(result.pooling.reason));
         return verdict;
     }
     verdict.interval = result.interval->bounds;
+    verdict.equality = result.equality_interval->bounds;
     const bool is_tested = is_significant(p_holm);
-    verdict.conclusion = conclusion_on(votes, result.interval->bounds, is_tested);
+    const ShareReach reach = reach_of(*verdict.equality);
+    const bool is_within = !reach.for_a && !reach.for_b;
+    if (is_tested) {
+        verdict.conclusion = votes.b > votes.a ? Conclusion::kBPreferred : Conclusion::kAPreferred;
+        verdict.is_small = is_within;
+    } else {
+        verdict.conclusion = is_within ? Conclusion::kEqual : Conclusion::kUndecided;
+    }
     verdict.sentence = fmt::format(
-        "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.{}", result.name,
-        to_string(verdict.conclusion), votes.b, counted(votes.n(), "vote"),
-        100.0 * *result.pooled.share_b, test_words(result), corrected_words(p_holm, tests),
-        interval_words(*result.interval, is_tested), capital(result.pooling->words),
-        is_tested ? "" : needed_words(analysis, result.name));
+        "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
+        verdict_words(verdict), votes.b, counted(votes.n(), "vote"), 100.0 * *result.pooled.share_b,
+        test_words(result), corrected_words(p_holm, tests), interval_words(result, is_tested),
+        capital(result.pooling->words));
     return verdict;
 }
 
@@ -131,12 +131,12 @@ struct Widest {
     double reach = 0.0;
 };
 
-Widest widest_of(const ValidityResult& validity) {
+Widest widest_of(const std::vector<Comparison>& comparisons) {
     Widest widest;
-    for (const Comparison& comparison : validity.by_level) {
+    for (const Comparison& comparison : comparisons) {
         for (const LevelDifference& difference : comparison.differences) {
             const double reach =
-                std::max(std::abs(difference.interval.low), std::abs(difference.interval.high));
+                std::max(std::abs(difference.equality.low), std::abs(difference.equality.high));
             if (widest.comparison == nullptr || reach > widest.reach) {
                 widest = {&comparison, &difference, reach};
             }
@@ -145,21 +145,30 @@ Widest widest_of(const ValidityResult& validity) {
     return widest;
 }
 
+/// The two levels that differ most.
+const LevelDifference* largest_of(const Comparison& comparison) {
+    const auto largest =
+        std::max_element(comparison.differences.begin(), comparison.differences.end(),
+                         [](const LevelDifference& one, const LevelDifference& other) {
+                             return std::abs(one.difference) < std::abs(other.difference);
+                         });
+    return largest == comparison.differences.end() ? nullptr : &*largest;
+}
+
 std::string difference_words(const Widest& widest) {
     const LevelDifference& difference = *widest.difference;
+    const bool reaches = reaches_relevant_difference(difference.equality);
     return fmt::format(
         " The share of B of {} against {}{}{} changes by {:+.1f} points from {} to {} (95 % "
-        "interval {:+.1f} to {:+.1f}), which {}.",
+        "interval {:+.1f} to {:+.1f}, 90 % interval {:+.1f} to {:+.1f}), which {}.",
         widest.comparison->variant_a, widest.comparison->variant_b,
         widest.comparison->view.empty() ? "" : " in ", widest.comparison->view,
         100.0 * difference.difference, widest.comparison->levels[difference.from],
         widest.comparison->levels[difference.to], 100.0 * difference.interval.low,
-        100.0 * difference.interval.high,
-        reaches_relevant_difference(difference.interval)
-            ? fmt::format("leaves a difference of {:g} points or more possible",
-                          100.0 * kRelevantDifference)
-            : fmt::format("excludes a difference of {:g} points or more",
-                          100.0 * kRelevantDifference));
+        100.0 * difference.interval.high, 100.0 * difference.equality.low,
+        100.0 * difference.equality.high,
+        fmt::format("{} a difference of {} or more{}", reaches ? "leaves" : "excludes",
+                    points_words(), reaches ? " possible" : ""));
 }
 
 Verdict not_tested(const ValidityResult& validity, const std::string& why) {
@@ -169,24 +178,45 @@ Verdict not_tested(const ValidityResult& validity, const std::string& why) {
     verdict.p = Possible<PValue>::none(why);
     verdict.p_holm = Possible<double>::none(why);
     verdict.interval = Possible<Interval>::none(why);
+    verdict.equality = Possible<Interval>::none(why);
     verdict.sentence =
-        fmt::format("{}: {}. {}.", validity.name, to_string(verdict.conclusion), capital(why));
+        fmt::format("{}: {}. {}.", validity.name, verdict_words(verdict), capital(why));
     return verdict;
 }
 
+/// What follows from the test with the smallest p and from the difference that may be largest.
+void conclude_on_validity(Verdict& verdict, const Comparison* clearest, Widest& shown) {
+    if (is_significant(verdict.p_holm)) {
+        verdict.conclusion = Conclusion::kDiffers;
+        const LevelDifference* difference = largest_of(*clearest);
+        if (difference == nullptr) return;
+        shown = {clearest, difference, 0.0};
+        verdict.is_small = !reaches_relevant_difference(difference->equality);
+        const bool is_more = difference->difference > 0.0;
+        verdict.direction =
+            fmt::format("B more often at {} than at {}",
+                        clearest->levels[is_more ? difference->to : difference->from],
+                        clearest->levels[is_more ? difference->from : difference->to]);
+    } else {
+        verdict.conclusion = reaches_relevant_difference(shown.difference->equality)
+                                 ? Conclusion::kUndecided
+                                 : Conclusion::kSame;
+    }
+}
+
 Verdict verdict_on_validity(const ValidityResult& validity, const Family& family,
-                            const std::vector<std::optional<std::size_t>>& places) {
-    const Widest widest = widest_of(validity);
+                            const std::vector<std::size_t>& places) {
+    Widest shown = widest_of(validity.by_level);
     if (validity.by_level.empty()) return not_tested(validity, validity.no_comparison);
-    if (widest.comparison == nullptr) {
+    if (shown.comparison == nullptr) {
         return not_tested(validity, "nobody answered two of the conditions that are compared");
     }
     Verdict verdict;
     verdict.hypothesis = validity.name;
     verdict.is_on_validity = true;
     verdict.tests = family.size();
-    verdict.interval = widest.difference->interval;
     std::string tests;
+    const Comparison* clearest = nullptr;
     for (std::size_t i = 0; i < validity.by_level.size(); ++i) {
         const Comparison& comparison = validity.by_level[i];
         const auto p = p_of(comparison);
@@ -196,19 +226,13 @@ Verdict verdict_on_validity(const ValidityResult& validity, const Family& family
         if (!p.has_value() || (verdict.p.has_value() && verdict.p->p <= p->p)) continue;
         verdict.p = *p;
         verdict.p_holm = p_holm;
+        clearest = &comparison;
     }
-    if (is_significant(verdict.p_holm)) {
-        verdict.conclusion = Conclusion::kEvidenceFor;
-    } else {
-        verdict.conclusion = reaches_relevant_difference(widest.difference->interval)
-                                 ? Conclusion::kTooFew
-                                 : Conclusion::kNoEvidence;
-    }
-    verdict.sentence =
-        fmt::format("{}: {}.{}", validity.name, to_string(verdict.conclusion), tests);
-    if (verdict.conclusion != Conclusion::kEvidenceFor) {
-        verdict.sentence += difference_words(widest);
-    }
+    conclude_on_validity(verdict, clearest, shown);
+    verdict.interval = shown.difference->interval;
+    verdict.equality = shown.difference->equality;
+    verdict.sentence = fmt::format("{}: {}.{}{}", validity.name, verdict_words(verdict), tests,
+                                   difference_words(shown));
     if (!validity.without_partner.empty()) {
         verdict.sentence += ' ' + partner_words(validity.without_partner);
     }
@@ -221,39 +245,58 @@ std::string change_words(std::string_view what, std::string_view with, std::stri
 
 }  // namespace
 
-std::string_view to_string(Conclusion conclusion) {
+std::string to_string(Conclusion conclusion) {
     switch (conclusion) {
-        case Conclusion::kNoEvidence:
-            return "no evidence";
-        case Conclusion::kEvidenceFor:
-            return "evidence for";
-        case Conclusion::kEvidenceAgainst:
-            return "evidence against";
-        case Conclusion::kTooFew:
-            return "too few participants to say";
+        case Conclusion::kUndecided:
+            return "undecided";
+        case Conclusion::kBPreferred:
+            return "B preferred over A";
+        case Conclusion::kAPreferred:
+            return "A preferred over B";
+        case Conclusion::kEqual:
+            return fmt::format("practically equal (within {})", points_words());
+        case Conclusion::kDiffers:
+            return "the effect differs with lighting";
+        case Conclusion::kSame:
+            return fmt::format("equal within {}", points_words());
         case Conclusion::kNotTested:
             return "not tested";
     }
     return "";
 }
 
+std::string verdict_words(const Verdict& verdict) {
+    std::string words = to_string(verdict.conclusion);
+    if (!verdict.direction.empty()) words += ", " + verdict.direction;
+    if (verdict.is_small) {
+        words += fmt::format("{} by less than the relevant {}",
+                             verdict.direction.empty() ? "" : ",", points_words());
+    }
+    return words;
+}
+
 std::string verdict_rule() {
     return fmt::format(
         "Verdicts: each hypothesis has one test of its pooled votes (by flipping the signs of the "
-        "participants' preferences where every answer is known, chi-square where only counts "
-        "are). Votes are pooled where B means the same in each condition. Where the study asks "
+        "participants' preferences where every answer is known, the exact binomial test where only "
+        "counts are). Votes are pooled where B means the same in each condition. Where the study "
+        "asks "
         "whether the preference depends on validity, that has one test for every two variants "
-        "shown in the same scene at several levels. Holm's correction is over all of these. "
-        "Corrected p below {:g}: evidence for where B was chosen more often, against where A was; "
-        "for validity, evidence for. Otherwise: too few participants to say where the 95 % "
-        "interval holds a share of {:g} % or more of either image (validity: a difference of {:g} "
-        "points or more between two levels), no evidence where it does not. Not tested: nothing "
-        "could be compared. The interval is of participants drawn anew, and no narrower than if "
-        "all votes were independent; where fewer than {} answered or nobody varies, "
+        "shown in the same scene at several levels, exact over two. Holm's correction is over all "
+        "of "
+        "these, whoever answered: a test that could not be computed counts as p = 1. "
+        "Corrected p below {0:g}: one image is preferred, by less than the relevant {1} where the "
+        "90 % interval lies within {2:g} to {3:g} %; for validity, the effect differs. Otherwise, "
+        "where the 90 % interval lies within {2:g} to {3:g} % (validity: every difference between "
+        "levels within {1}): practically equal, by two one-sided tests at {0:g}; else undecided. "
+        "Not tested: nothing could be compared. The 95 % interval is of participants drawn anew, "
+        "and no narrower than if all votes were independent, the 90 % interval t's of the "
+        "participants' own shares; where fewer than {4} answered or nobody varies, both are "
         "Clopper-Pearson's with each participant counted once; from counts, Wilson's in the same "
-        "way. That of a difference between levels is from the exact limits of how many changed "
+        "way. Those of a difference between levels are from the exact limits of how many changed "
         "their answer; from counts, Newcombe's.",
-        kSignificance, 100.0 * kRelevantShare, 100.0 * kRelevantDifference, kFewestResampled);
+        kSignificance, points_words(), 100.0 * (1.0 - kRelevantShare), 100.0 * kRelevantShare,
+        kFewestResampled);
 }
 
 ShareReach reach_of(const Interval& interval) {
@@ -271,22 +314,22 @@ bool reaches_relevant_difference(const Interval& interval) {
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {
     Family family;
     std::vector<const HypothesisResult*> pooled;
-    std::vector<std::optional<std::size_t>> pooled_places;
+    std::vector<std::size_t> pooled_places;
     for (const HypothesisResult& result : analysis.hypotheses) {
         pooled.push_back(&result);
         pooled_places.push_back(family.add(p_of(result)));
     }
-    std::vector<std::optional<std::size_t>> level_places;
+    std::vector<std::size_t> level_places;
     if (analysis.validity.has_value()) {
         for (const Comparison& comparison : analysis.validity->by_level) {
             level_places.push_back(family.add(p_of(comparison)));
         }
+        if (level_places.empty()) (void)family.add(Possible<PValue>::none("nothing to compare"));
     }
     family.correct();
     std::vector<Verdict> verdicts;
     for (std::size_t i = 0; i < pooled.size(); ++i) {
-        verdicts.push_back(
-            verdict_on(*pooled[i], analysis, family.at(pooled_places[i]), family.size()));
+        verdicts.push_back(verdict_on(*pooled[i], family.at(pooled_places[i]), family.size()));
     }
     if (analysis.validity.has_value()) {
         verdicts.push_back(verdict_on_validity(*analysis.validity, family, level_places));
@@ -302,9 +345,9 @@ std::vector<std::string> changed_conclusions(const Analysis& analysis, const Ana
     for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
         const Verdict& one = analysis.verdicts[i];
         const Verdict& other = everybody.verdicts[i];
-        if (one.conclusion == other.conclusion) continue;
-        changes.push_back(
-            change_words(one.hypothesis, to_string(one.conclusion), to_string(other.conclusion)));
+        const std::string with = verdict_words(one);
+        const std::string without = verdict_words(other);
+        if (with != without) changes.push_back(change_words(one.hypothesis, with, without));
     }
     const auto words = [](const ConditionResult& result) {
         return is_significant(result.p_holm) ? "significant after Holm's correction"

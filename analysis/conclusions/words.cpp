@@ -72,6 +72,31 @@ std::string partner_words(const std::vector<std::string>& without_partner) {
                        listed(without_partner), without_partner.size() == 1 ? "has" : "have");
 }
 
+std::string order_words(const Possible<OrderByParticipant>& order) {
+    if (!order.has_value()) {
+        return fmt::format("Over participants the order is not tested: {}.", order.reason);
+    }
+    std::string text = fmt::format(
+        "Over {}{}, {}: the image shown second is chosen by {:+.1f} points more often than the "
+        "first",
+        counted(order->participants, "participant"),
+        order->left_out > 0 ? fmt::format(" ({} who answered fewer left out)", order->left_out)
+                            : "",
+        order->kind == OrderTestKind::kSideGroups
+            ? "of whom each saw the same variant first in every pair"
+            : "who saw either variant first in some pairs",
+        100.0 * order->difference);
+    if (order->interval.has_value()) {
+        text += fmt::format(" (95 % interval {:+.1f} to {:+.1f})", 100.0 * order->interval->low,
+                            100.0 * order->interval->high);
+    }
+    return text + fmt::format(", {} {}, p {}.", order->is_exact ? "exact" : "large-sample",
+                              order->kind == OrderTestKind::kSideGroups
+                                  ? "permutation between the two groups"
+                                  : "test by flipping signs",
+                              p_text(order->p));
+}
+
 std::string who(const Tally& tally, std::int64_t n) {
     return counted(n, tally.kind == Kind::kSimulated ? "simulated observer" : "participant");
 }

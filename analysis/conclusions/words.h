@@ -43,6 +43,9 @@ namespace obscura::analysis {
 /// `I, IV and VII have no partner at another level in the same scene.`
 [[nodiscard]] std::string partner_words(const std::vector<std::string>& without_partner);
 
+/// Whether the order of showing mattered, with the test over participants and its interval.
+[[nodiscard]] std::string order_words(const Possible<OrderByParticipant>& order);
+
 /// `simulated observer` for simulated data, `participant` otherwise; a number brings the plural.
 [[nodiscard]] std::string who(const Tally& tally, std::int64_t n);
 

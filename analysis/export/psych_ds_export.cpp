@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "analysis/export/condition_counter.h"
 #include "analysis/export/formats.h"
 
 namespace obscura::analysis {

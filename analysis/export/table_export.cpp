@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include "analysis/export/condition_counter.h"
 #include "analysis/export/formats.h"
 
 namespace obscura::analysis {

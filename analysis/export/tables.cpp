@@ -2,78 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/export/tables.h"
 
-#include <array>
-#include <charconv>
-#include <concepts>
-#include <optional>
-#include <tuple>
-#include <type_traits>
-
 #include "analysis/export/events.h"
-#include "analysis/text/text.h"
+#include "analysis/export/member_cells.h"
 
 namespace obscura::analysis {
 namespace {
 
 using Levels = std::vector<std::pair<std::string, std::string>>;
-
-void append(std::string& out, const std::string& value) { out += value; }
-void append(std::string& out, char value) {
-    if (value != '\0') out += value;
-}
-void append(std::string& out, bool value) { out += value ? '1' : '0'; }
-void append(std::string& out, double value) { append_shortest(out, value); }
-void append(std::string& out, Kind value) { out += to_string(value); }
-void append(std::string& out, SessionState value) { out += to_string(value); }
-template <std::integral T>
-void append(std::string& out, T value) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    out.append(digits.data(), end.ptr);
-}
-template <typename T>
-void append(std::string& out, const std::optional<T>& value) {
-    if (value) append(out, *value);
-}
-
-template <typename T>
-struct IsNumber : std::bool_constant<std::is_arithmetic_v<T> && !std::is_same_v<T, char>> {};
-template <typename T>
-struct IsNumber<std::optional<T>> : IsNumber<T> {};
-
-template <typename Member>
-struct MemberTraits;
-template <typename R, typename T>
-struct MemberTraits<T R::*> {
-    using Record = R;
-    static constexpr bool kNumber = IsNumber<T>::value;
-};
-
-template <auto kMember>
-using RecordOf = typename MemberTraits<decltype(kMember)>::Record;
-template <auto kMember>
-constexpr bool is_number_v = MemberTraits<decltype(kMember)>::kNumber;
-
-template <auto kMember>
-const ExportCell<RecordOf<kMember>> of{
-    [](const RecordOf<kMember>& record, std::string& out) { append(out, record.*kMember); },
-    is_number_v<kMember>};
-template <auto kMember>
-const ExportCell<TrialRow> of_trial{
-    [](const TrialRow& row, std::string& out) { append(out, row.trial->*kMember); },
-    is_number_v<kMember>};
-template <auto kMember>
-const ExportCell<TrialRow> of_session{
-    [](const TrialRow& row, std::string& out) { append(out, row.session->*kMember); },
-    is_number_v<kMember>};
-template <auto kMember>
-const ExportCell<SessionRow> of_own_session{
-    [](const SessionRow& row, std::string& out) { append(out, row.session->*kMember); },
-    is_number_v<kMember>};
-template <auto kMember>
-const ExportCell<ConditionRow> of_shown{
-    [](const ConditionRow& row, std::string& out) { append(out, row.shown.*kMember); },
-    is_number_v<kMember>};
 
 const Levels kYesNo{{"1", "yes"}, {"0", "no"}};
 const Levels kSubjectKinds{{"participant", "a person took part"},
@@ -388,37 +323,14 @@ const ExportTable<ConditionRow>& conditions_export() {
              "Votes for variant A in completed sessions",
              {},
              "votes",
-             {[](const R& row, std::string& out) { append(out, row.votes.a); }, true}},
+             {[](const R& row, std::string& out) { append_cell(out, row.votes.a); }, true}},
             {"count_B",
              "Votes for variant B in completed sessions",
              {},
              "votes",
-             {[](const R& row, std::string& out) { append(out, row.votes.b); }, true}},
+             {[](const R& row, std::string& out) { append_cell(out, row.votes.b); }, true}},
         }};
     return table;
-}
-
-void ConditionCounter::add(const TrialRecord& trial, const SessionRecord& session) {
-    ConditionRow& row = entry_of(trial, session);
-    if (session.state != SessionState::kCompleted) return;
-    ++(trial.is_A_selected ? row.votes.a : row.votes.b);
-}
-
-ConditionRow& ConditionCounter::entry_of(const TrialRecord& trial, const SessionRecord& session) {
-    const auto described = [](const TrialRecord& shown) {
-        return std::tie(shown.hypothesis, shown.scene, shown.validity, shown.condition_A,
-                        shown.condition_B, shown.expected, shown.repeats);
-    };
-    std::vector<std::size_t>& places = places_[trial.condition];
-    for (const std::size_t place : places) {
-        ConditionRow& row = rows_[place];
-        if (row.kind == trial.kind && row.study == session.study &&
-            described(row.shown) == described(trial)) {
-            return row;
-        }
-    }
-    places.push_back(rows_.size());
-    return rows_.emplace_back(ConditionRow{session.study, trial.kind, trial, {}});
 }
 
 }  // namespace obscura::analysis

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -66,19 +65,5 @@ struct ConditionRow {
 [[nodiscard]] const ExportTable<SessionRow>& sessions_export();
 [[nodiscard]] const ExportTable<TrialRow>& trials_export();
 [[nodiscard]] const ExportTable<ConditionRow>& conditions_export();
-
-/// Every condition that was shown, one row for each study, kind and way it was described, in order
-/// of the first showing, with its votes.
-class ConditionCounter {
-  public:
-    void add(const TrialRecord& trial, const SessionRecord& session);
-    [[nodiscard]] const std::vector<ConditionRow>& rows() const { return rows_; }
-
-  private:
-    ConditionRow& entry_of(const TrialRecord& trial, const SessionRecord& session);
-
-    std::vector<ConditionRow> rows_;
-    std::unordered_map<std::string, std::vector<std::size_t>> places_;  ///< by condition
-};
 
 }  // namespace obscura::analysis

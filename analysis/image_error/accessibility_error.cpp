@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/measurement/quantiles.h"
+#include "analysis/statistics/quantile.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -38,7 +38,7 @@ Possible<AccessibilityError> accessibility_error(std::span<const float> measured
     error.bias = sum / count;
     error.rmse = std::sqrt(sum_of_squares / count);
     for (const double value : off) error.mae += value / count;
-    error.p99 = quantile(std::move(off), 0.99);
+    error.p99 = quantile(off, 0.99);
     error.psnr_db = error.rmse > 0.0
                         ? Possible<double>(-20.0 * std::log10(error.rmse))
                         : Possible<double>::none("there is no error: the ratio has no bound");

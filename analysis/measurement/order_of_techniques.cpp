@@ -20,10 +20,10 @@ constexpr std::array kAssumed{Assumed{"crytek", 24}, Assumed{"blizzard", 24},
                               Assumed{"raymarch", 30}};
 
 const MeasurementRow* find_row(const std::vector<MeasurementRow>& rows, const MeasurementRow& view,
-                               const Assumed& wanted, const std::string& blur, bool fitted) {
+                               const Assumed& wanted, const std::string& denoise, bool fitted) {
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const MeasurementRow& row) {
         return same_view(row, view) && row.technique == wanted.technique &&
-               row.samples == wanted.samples && row.blur == blur && row.fitted == fitted &&
+               row.samples == wanted.samples && row.denoise == denoise && row.fitted == fitted &&
                row.depth_format == view.depth_format && row.error.has_value();
     });
     return found == rows.end() ? nullptr : &*found;
@@ -31,10 +31,10 @@ const MeasurementRow* find_row(const std::vector<MeasurementRow>& rows, const Me
 
 /// False where one of the three has no row.
 bool fill(OrderOfTechniques& order, const std::vector<MeasurementRow>& rows,
-          const MeasurementRow& view, const std::string& blur) {
+          const MeasurementRow& view, const std::string& denoise) {
     std::vector<std::pair<double, std::string>> found;
     for (const Assumed& wanted : kAssumed) {
-        const MeasurementRow* row = find_row(rows, view, wanted, blur, order.fitted);
+        const MeasurementRow* row = find_row(rows, view, wanted, denoise, order.fitted);
         if (row == nullptr) return false;
         found.emplace_back(row->error->rmse, row->variant);
     }
@@ -57,7 +57,7 @@ bool fill(OrderOfTechniques& order, const std::vector<MeasurementRow>& rows,
 }  // namespace
 
 std::vector<OrderOfTechniques> orders_of_techniques(const std::vector<MeasurementRow>& rows,
-                                                    const std::string& blur) {
+                                                    const std::string& denoise) {
     std::vector<OrderOfTechniques> orders;
     for (auto row = rows.begin(); row != rows.end(); ++row) {
         const bool seen = std::any_of(rows.begin(), row, [&](const MeasurementRow& before) {
@@ -68,7 +68,7 @@ std::vector<OrderOfTechniques> orders_of_techniques(const std::vector<Measuremen
             OrderOfTechniques order;
             order.view = view_name(*row);
             order.fitted = fitted;
-            if (fill(order, rows, *row, blur)) orders.push_back(std::move(order));
+            if (fill(order, rows, *row, denoise)) orders.push_back(std::move(order));
         }
     }
     return orders;

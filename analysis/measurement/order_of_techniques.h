@@ -21,9 +21,9 @@ struct OrderOfTechniques {
 };
 
 /// For every view in `rows`, as published and fitted where both are there: Crytek24, Blizzard24 and
-/// RayMarching30 with the filter `blur`. A view where one of the three is missing gives none.
+/// RayMarching30 with the filter `denoise`. A view where one of the three is missing gives none.
 [[nodiscard]] std::vector<OrderOfTechniques> orders_of_techniques(
-    const std::vector<MeasurementRow>& rows, const std::string& blur);
+    const std::vector<MeasurementRow>& rows, const std::string& denoise);
 
 /// One sentence over all views: in how many the assumed order holds, as published and fitted.
 [[nodiscard]] std::string order_in_a_sentence(const std::vector<OrderOfTechniques>& orders);

@@ -66,10 +66,10 @@ struct Series {
     }
 };
 
-std::vector<Series> series_of(const std::vector<MeasurementRow>& rows, const std::string& blur) {
+std::vector<Series> series_of(const std::vector<MeasurementRow>& rows, const std::string& denoise) {
     std::vector<Series> all;
     for (const MeasurementRow& row : rows) {
-        if (row.blur != blur || !has_place(row)) continue;
+        if (row.denoise != denoise || !has_place(row)) continue;
         auto series = std::find_if(all.begin(), all.end(),
                                    [&](const Series& known) { return known.holds(row); });
         if (series == all.end()) {
@@ -116,13 +116,13 @@ std::vector<std::string> lines_of(const std::vector<Point>& points) {
 /// Every technique's line, the front, the rings: what is plotted, and the data that it reads.
 class ErrorOverTime {
   public:
-    ErrorOverTime(const std::vector<MeasurementRow>& rows, const std::string& blur,
+    ErrorOverTime(const std::vector<MeasurementRow>& rows, const std::string& denoise,
                   std::string file)
-        : rows_(rows), blur_(blur), file_(std::move(file)) {}
+        : rows_(rows), denoise_(denoise), file_(std::move(file)) {}
 
     [[nodiscard]] Plot draw() {
         std::vector<std::string> techniques;
-        for (const Series& series : series_of(rows_, blur_)) {
+        for (const Series& series : series_of(rows_, denoise_)) {
             auto at = std::find(techniques.begin(), techniques.end(), series.technique);
             if (at == techniques.end()) at = techniques.insert(at, series.technique);
             add_line(series, static_cast<std::size_t>(at - techniques.begin()));
@@ -199,7 +199,7 @@ class ErrorOverTime {
         std::set<std::string> named;
         for (const MeasurementRow& row : rows_) {
             const bool drawn =
-                !row.published.empty() && !row.fitted && row.blur == blur_ && has_place(row);
+                !row.published.empty() && !row.fitted && row.denoise == denoise_ && has_place(row);
             if (!drawn || !named.insert(row.variant).second) continue;
             lines.push_back(fmt::format("{}\t{}\t{}", shortest(row.cost.median_ms),
                                         shortest(row.error->rmse), quoted(row.variant)));
@@ -213,7 +213,7 @@ class ErrorOverTime {
     }
 
     const std::vector<MeasurementRow>& rows_;
-    const std::string& blur_;
+    const std::string& denoise_;
     std::string file_;
     Blocks blocks_;
     std::vector<std::string> curves_;
@@ -224,16 +224,16 @@ class ErrorOverTime {
 
 double eight_bit_rmse() { return 1.0 / (255.0 * std::sqrt(12.0)); }
 
-Plot error_over_time(const std::vector<MeasurementRow>& rows, const std::string& blur) {
+Plot error_over_time(const std::vector<MeasurementRow>& rows, const std::string& denoise) {
     const std::string view = rows.empty() ? "nothing" : view_name(rows.front());
     const std::string name =
         "error-over-time-" + file_stem(rows.empty()
                                            ? view
                                            : rows.front().scene_id + ' ' + rows.front().camera +
                                                  ' ' + rows.front().validity);
-    Plot plot = ErrorOverTime(rows, blur, name + ".dat").draw();
+    Plot plot = ErrorOverTime(rows, denoise, name + ".dat").draw();
     plot.name = name;
-    plot.title = fmt::format("Speed against error: {} (filter: {})", view, blur);
+    plot.title = fmt::format("Speed against error: {} (filter: {})", view, denoise);
     return plot;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::vector<MeasurementRow>> by_view(const std::vector<MeasurementRo
 /// The variant with what of it is not as usual.
 std::string setting_name(const MeasurementRow& row) {
     std::string name = row.variant;
-    if (row.samples > 0 && row.blur != "separable") name += ", " + row.blur;
+    if (row.samples > 0 && row.denoise != "separable") name += ", " + row.denoise;
     return name + (row.depth_format == "r32f" ? "" : ", " + row.depth_format);
 }
 
@@ -46,8 +46,8 @@ std::string cell(const Possible<AccessibilityError>& error, double Accessibility
 }
 
 /// Few columns, for people.
-Table table_of(const std::vector<MeasurementRow>& rows) {
-    Table table;
+PageTable table_of(const std::vector<MeasurementRow>& rows) {
+    PageTable table;
     table.headings = {"variant",
                       "filter",
                       "values",
@@ -64,9 +64,9 @@ Table table_of(const std::vector<MeasurementRow>& rows) {
                       "front"};
     for (const MeasurementRow& row : rows) {
         table.rows.push_back(
-            {row.variant, row.blur + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
+            {row.variant, row.denoise + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
              row.values, fmt::format("{:.2f}", row.accessibility.median_ms),
-             fmt::format("{:.2f}", row.denoise.median_ms),
+             fmt::format("{:.2f}", row.filter.median_ms),
              fmt::format("{:.2f}", row.frame.median_ms), std::to_string(row.fetches_per_px),
              cell(row.error, &AccessibilityError::rmse), cell(row.error, &AccessibilityError::bias),
              cell(row.error, &AccessibilityError::p99),
@@ -89,8 +89,8 @@ std::vector<MeasurementRow> to_be_looked_at(const MeasurementReport& report,
     return shown;
 }
 
-Table hard_case_table(const std::vector<HardCaseRow>& rows, Holds wanted) {
-    Table table;
+PageTable hard_case_table(const std::vector<HardCaseRow>& rows, Holds wanted) {
+    PageTable table;
     table.headings = {"case",       "technique", "quantity",  "truth",
                       "definition", "measured",  "tolerance", "note"};
     for (const HardCaseRow& row : rows) {
@@ -120,7 +120,7 @@ void put_hard_cases(const std::vector<HardCaseRow>& rows, Page& page) {
         {Holds::kByNature, "These fail by the technique's own definition"},
         {Holds::kYes, "These hold"}};
     for (const auto& [holds, title] : parts) {
-        const Table table = hard_case_table(rows, holds);
+        const PageTable table = hard_case_table(rows, holds);
         if (!table.rows.empty()) page.table(table, title);
     }
 }
@@ -130,8 +130,8 @@ std::string trained_on(const Fitted& fit) {
     return fit.on_the_same_view() ? cameras + ": fitted and reported on the same view" : cameras;
 }
 
-Table fitted_table(const std::vector<Fitted>& fitted) {
-    Table table;
+PageTable fitted_table(const std::vector<Fitted>& fitted) {
+    PageTable table;
     table.headings = {"scene",  "variant",     "trained on", "before",
                       "fitted", "RMSE before", "RMSE after", "evaluations"};
     const auto listed = [](const std::map<std::string, double>& parameters) {
@@ -192,7 +192,7 @@ class Folder {
 void put_speed_and_error(const MeasurementReport& report, Page& page, Folder& folder) {
     if (report.rows.empty()) return;
     if (report.asks_order) {
-        const auto orders = orders_of_techniques(report.rows, report.blur);
+        const auto orders = orders_of_techniques(report.rows, report.denoise);
         page.heading("Does accuracy order the techniques as the thesis assumes?");
         page.paragraph(order_in_a_sentence(orders));
         std::vector<std::string> sentences;
@@ -202,7 +202,7 @@ void put_speed_and_error(const MeasurementReport& report, Page& page, Folder& fo
     page.heading("Speed against error");
     for (const auto& rows : by_view(report.rows)) {
         page.heading(view_name(rows.front()), 3);
-        folder.draw_on(page, error_over_time(rows, report.blur));
+        folder.draw_on(page, error_over_time(rows, report.denoise));
         if (report.of_study) {
             page.table(table_of(to_be_looked_at(report, rows)),
                        "The settings that the study shows");
@@ -250,7 +250,7 @@ std::string json_of(const MeasurementReport& report) {
     json["orders"] = nlohmann::ordered_json::array();
     std::vector<OrderOfTechniques> orders;
     if (report.asks_order) {
-        orders = orders_of_techniques(report.rows, report.blur);
+        orders = orders_of_techniques(report.rows, report.denoise);
         json["order"] = order_in_a_sentence(orders);
     }
     for (const OrderOfTechniques& order : orders) {
@@ -273,7 +273,7 @@ std::string fitted_csv(const std::vector<Fitted>& fitted) {
     for (const Fitted& fit : fitted) {
         for (const auto& [name, value] : fit.after) {
             text += csv_line({fit.scene_id, fit.scene, fit.technique, std::to_string(fit.samples),
-                              fit.blur, name, shortest(fit.before.at(name)), shortest(value),
+                              fit.denoise, name, shortest(fit.before.at(name)), shortest(value),
                               shortest(fit.training_rmse_before), shortest(fit.training_rmse_after),
                               std::to_string(fit.evaluations),
                               fit.on_the_same_view() ? "true" : "false"});
@@ -306,7 +306,7 @@ std::string report_text(const MeasurementReport& report) {
         }
     }
     if (report.asks_order && !report.rows.empty()) {
-        const auto orders = orders_of_techniques(report.rows, report.blur);
+        const auto orders = orders_of_techniques(report.rows, report.denoise);
         text += '\n';
         for (const OrderOfTechniques& order : orders) text += order.sentence + '\n';
         text += order_in_a_sentence(orders) + '\n';

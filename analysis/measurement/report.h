@@ -20,7 +20,7 @@ struct Fitted {
     std::string scene;
     std::string technique;
     int samples = 0;
-    std::string blur;
+    std::string denoise;
     std::string depth_format = "r32f";
     std::vector<std::string> training_cameras;
     std::vector<std::string> reported_cameras;
@@ -40,7 +40,7 @@ struct MeasurementReport {
     std::string device;
     std::string timer_check;          ///< the self-check of timer against clock, in a sentence
     std::vector<std::string> method;  ///< sizes, rays, runs: sentences
-    std::string blur;                 ///< filter of the lines in the plots
+    std::string denoise;              ///< filter of the lines in the plots
     bool of_study = true;             ///< false: of scenes without a study, which shows nothing
     bool asks_order = false;  ///< whether the study assumes the thesis's order of techniques
     std::vector<MeasurementRow> rows;

@@ -86,7 +86,7 @@ std::vector<Column> fixed_columns() {
          }},
         {"blur",
          [](const Row& r) -> Cell {
-             return {r.blur, ""};
+             return {r.denoise, ""};
          }},
         {"ao_scale",
          [](const Row& r) -> Cell {
@@ -188,15 +188,15 @@ std::vector<Column> further_columns() {
          }},
         {"denoise_ms_min",
          [](const Row& r) -> Cell {
-             return {r.denoise.min_ms, ""};
+             return {r.filter.min_ms, ""};
          }},
         {"denoise_ms_median",
          [](const Row& r) -> Cell {
-             return {r.denoise.median_ms, ""};
+             return {r.filter.median_ms, ""};
          }},
         {"denoise_ms_p95",
          [](const Row& r) -> Cell {
-             return {r.denoise.p95_ms, ""};
+             return {r.filter.p95_ms, ""};
          }},
         {"frame_ms_min",
          [](const Row& r) -> Cell {

@@ -10,7 +10,7 @@
 
 #include "analysis/image_error/accessibility_error.h"
 #include "analysis/image_error/final_image_error.h"
-#include "analysis/measurement/quantiles.h"
+#include "analysis/measurement/time_summary.h"
 #include "analysis/statistics/possible.h"
 
 namespace obscura::analysis {
@@ -25,7 +25,7 @@ struct MeasurementRow {
     std::string technique;
     std::string variant;  ///< as the thesis names it, with what differs: Blizzard24 R 0.2
     int samples = 0;
-    std::string blur;       ///< filter of the accessibility buffer, or none
+    std::string denoise;    ///< filter of the accessibility buffer, or none
     double ao_scale = 1.0;  ///< size of the accessibility buffer over that of the image
     std::string depth_format;
     std::string noise;  ///< how samples are turned from pixel to pixel
@@ -44,7 +44,7 @@ struct MeasurementRow {
     double truth_stderr = 0.0;        ///< root mean square standard error of that truth
     TimeSummary cost;                 ///< accessibility and filter together
     TimeSummary accessibility;
-    TimeSummary denoise;
+    TimeSummary filter;      ///< the denoise filter alone
     TimeSummary frame;       ///< every pass of the image
     int runs = 0;            ///< that were timed, after those that were thrown away
     int fetches_per_px = 0;  ///< the most texture reads that one pixel may make

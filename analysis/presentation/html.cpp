@@ -115,7 +115,7 @@ void Page::answer(std::string_view question, std::string_view verdict, std::stri
                              markdown_escaped(verdict), markdown_escaped(sentence));
 }
 
-void Page::table(const Table& table, std::string_view caption) {
+void Page::table(const PageTable& table, std::string_view caption) {
     html_ += html_table(table, caption);
     markdown_ += markdown_table(table, caption);
 }

@@ -10,7 +10,7 @@ namespace obscura::analysis {
 
 /// A table as pages and Markdown show it: every row has as many cells as there are headings.
 /// Columns that hold only numbers are set to the right with their decimal points below each other.
-struct Table {
+struct PageTable {
     std::vector<std::string> headings;
     std::vector<std::vector<std::string>> rows;
 };
@@ -33,7 +33,7 @@ class Page {
     void notice(std::string_view text);
     /// An answer that stands out: the question, the verdict in a few words, and a sentence.
     void answer(std::string_view question, std::string_view verdict, std::string_view sentence);
-    void table(const Table& table, std::string_view caption = "");
+    void table(const PageTable& table, std::string_view caption = "");
     /// A drawing: inline in HTML, `![caption](file)` in Markdown. Where `svg_text` is empty, the
     /// caption alone, so that it can say why.
     void svg(std::string_view svg_text, std::string_view file, std::string_view caption);

@@ -36,7 +36,7 @@ bool is_number(std::string_view cell) {
     return has_digit;
 }
 
-std::vector<bool> number_columns(const Table& table) {
+std::vector<bool> number_columns(const PageTable& table) {
     std::vector<bool> columns(table.headings.size(), false);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const auto column_is = [&](const auto& row) {
@@ -56,7 +56,7 @@ std::string_view decimals_of(const std::string& cell) {
     return std::string_view(cell).substr(point);
 }
 
-std::string longest_decimals(const Table& table, std::size_t column) {
+std::string longest_decimals(const PageTable& table, std::size_t column) {
     std::string_view longest;
     for (const auto& row : table.rows) {
         const std::string_view decimals = decimals_of(row[column]);
@@ -76,7 +76,7 @@ std::string padding(const std::string& cell, const std::string& longest) {
     return fmt::format("<span class=\"pad\" data-pad=\"{}\"></span>", missing);
 }
 
-std::string html_rows(const Table& table, const std::vector<bool>& numbers) {
+std::string html_rows(const PageTable& table, const std::vector<bool>& numbers) {
     std::vector<std::string> longest;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         longest.push_back(numbers[i] ? longest_decimals(table, i) : "");
@@ -101,7 +101,7 @@ std::string html_rows(const Table& table, const std::vector<bool>& numbers) {
 
 }  // namespace
 
-std::string html_table(const Table& table, std::string_view caption) {
+std::string html_table(const PageTable& table, std::string_view caption) {
     const std::vector<bool> numbers = number_columns(table);
     std::string html = "<div class=\"table\"><table>\n";
     if (!caption.empty()) html += fmt::format("<caption>{}</caption>\n", html_escaped(caption));
@@ -114,7 +114,7 @@ std::string html_table(const Table& table, std::string_view caption) {
            "</tbody>\n</table></div>\n";
 }
 
-std::string markdown_table(const Table& table, std::string_view caption) {
+std::string markdown_table(const PageTable& table, std::string_view caption) {
     const std::vector<bool> numbers = number_columns(table);
     std::string text = "|";
     for (const std::string& heading : table.headings) {

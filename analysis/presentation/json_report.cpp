@@ -73,16 +73,27 @@ Json condition_json(const ConditionResult& result) {
     return object;
 }
 
-/// The interval to read, with what it rests on.
-void put_share_interval(Json& object, const Possible<ShareInterval>& interval) {
-    put_interval(object, "share_b_interval",
+std::string_view source_of(ShareIntervalKind kind) {
+    switch (kind) {
+        case ShareIntervalKind::kResampled:
+            return "resampled";
+        case ShareIntervalKind::kMeans:
+            return "t_of_participants";
+        case ShareIntervalKind::kEachOnce:
+            return "clopper_pearson_of_participants";
+        case ShareIntervalKind::kCounts:
+            return "wilson_of_participants";
+    }
+    return "";
+}
+
+/// An interval of the pooled share, with what it rests on.
+void put_share_interval(Json& object, const std::string& name,
+                        const Possible<ShareInterval>& interval) {
+    put_interval(object, name,
                  interval.has_value() ? Possible<Interval>(interval->bounds)
                                       : Possible<Interval>::none(interval.reason));
-    if (!interval.has_value()) return;
-    object["share_b_interval_from"] = interval->kind == ShareIntervalKind::kResampled ? "resampled"
-                                      : interval->kind == ShareIntervalKind::kEachOnce
-                                          ? "clopper_pearson_of_participants"
-                                          : "wilson_of_participants";
+    if (interval.has_value()) object[name + "_from"] = source_of(interval->kind);
 }
 
 Json hypothesis_json(const HypothesisResult& result) {
@@ -105,7 +116,9 @@ Json hypothesis_json(const HypothesisResult& result) {
         put_none(object, "p_by_participant", result.by_participant.reason);
     }
     put_interval(object, "resampled_share_b", result.resampled);
-    put_share_interval(object, result.interval);
+    put_share_interval(object, "share_b_interval", result.interval);
+    put_share_interval(object, "share_b_interval_90", result.equality_interval);
+    object["secondary"] = result.secondary;
     object["n_significant"] = result.significant;
     object["n_significant_holm"] = result.significant_holm;
     object["sentence"] = result.sentence;
@@ -168,6 +181,8 @@ Json comparison_json(const Comparison& comparison) {
                                          {"difference", difference.difference},
                                          {"difference_low", difference.interval.low},
                                          {"difference_high", difference.interval.high},
+                                         {"difference_low_90", difference.equality.low},
+                                         {"difference_high_90", difference.equality.high},
                                          {"interval_from", to_string(difference.kind)}});
     }
     put_p(object, "p", p_of(comparison));
@@ -213,6 +228,19 @@ void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
         put_chi_square(logistic, test.likelihood_ratio);
     } else {
         put_none(entry, "logistic", bias->logistic.reason);
+    }
+    if (bias->by_participant.has_value()) {
+        const OrderByParticipant& order = *bias->by_participant;
+        Json& own = entry["by_participant"];
+        own["test"] = order.kind == OrderTestKind::kSideGroups ? "side_groups" : "sign_flip";
+        own["n_participants"] = order.participants;
+        own["left_out"] = order.left_out;
+        own["is_exact"] = order.is_exact;
+        put_p(own, "p", Possible<PValue>(order.p));
+        own["difference"] = order.difference;
+        put_interval(own, "difference", order.interval);
+    } else {
+        put_none(entry, "by_participant", bias->by_participant.reason);
     }
     object["order_bias"] = entry;
 }

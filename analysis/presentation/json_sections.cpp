@@ -62,11 +62,12 @@ Json times_json(const ResponseTimeSummary& times) {
 }  // namespace
 
 void put_verdict(Json& hypothesis, const Verdict& verdict) {
-    hypothesis["verdict"] = to_string(verdict.conclusion);
+    hypothesis["verdict"] = verdict_words(verdict);
     hypothesis["verdict_sentence"] = verdict.sentence;
     put_p(hypothesis, "verdict_p", verdict.p);
     put(hypothesis, "verdict_p_holm", verdict.p_holm);
     put_interval(hypothesis, "verdict_interval", verdict.interval);
+    put_interval(hypothesis, "verdict_interval_90", verdict.equality);
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 

@@ -42,8 +42,8 @@ std::string rule_words(const ExclusionRule& rule) {
     return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", or "));
 }
 
-Table left_out_table(const Analysis& analysis) {
-    Table table{{"Participant", "Left out for"}, {}};
+PageTable left_out_table(const Analysis& analysis) {
+    PageTable table{{"Participant", "Left out for"}, {}};
     for (const ParticipantResult& person : analysis.attention->participants) {
         if (person.left_out.empty() || table.rows.size() == kMostListed) continue;
         table.rows.push_back({person.id, fmt::format("{}", fmt::join(person.left_out, "; "))});
@@ -57,8 +57,8 @@ std::string share_words(const ConditionResult& result) {
     return fmt::format("{:.1f}", 100.0 * *preference.share_b);
 }
 
-Table with_and_without(const Analysis& analysis, const Analysis& everybody) {
-    Table table{
+PageTable with_and_without(const Analysis& analysis, const Analysis& everybody) {
+    PageTable table{
         {"Condition", "With all: A : B", "B (%)", "p, Holm", "Without: A : B", "B (%)", "p, Holm"},
         {}};
     for (const ConditionResult& all : everybody.conditions) {
@@ -97,7 +97,7 @@ void add_exclusions(ReportDraft& draft) {
         draft.page.list(exclusions.changes);
     }
     if (!analysis.attention.has_value()) return;
-    const Table table = left_out_table(analysis);
+    const PageTable table = left_out_table(analysis);
     draft.page.table(table, table.rows.size() == kMostListed
                                 ? fmt::format("The first {} left out, and why.", kMostListed)
                                 : "Those left out, and why.");

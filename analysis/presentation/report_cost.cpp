@@ -94,10 +94,10 @@ std::vector<std::string> fit_row(const std::string& level, const Possible<Prefer
             enough};
 }
 
-Table fits_table(const PreferenceCurve& curve, const Quantity& quantity) {
-    Table table{{"Validity", "Pairs", fmt::format("Log odds for {}", quantity.step_words),
-                 "95 % interval", "Likelihood ratio", "p", "75 % choose B at"},
-                {}};
+PageTable fits_table(const PreferenceCurve& curve, const Quantity& quantity) {
+    PageTable table{{"Validity", "Pairs", fmt::format("Log odds for {}", quantity.step_words),
+                     "95 % interval", "Likelihood ratio", "p", "75 % choose B at"},
+                    {}};
     table.rows.push_back(fit_row("all", curve.overall, quantity));
     for (const auto& [level, fit] : curve.by_validity) {
         table.rows.push_back(fit_row(level, fit, quantity));
@@ -162,10 +162,10 @@ std::string savings_words(const PreferenceAndCost& joined) {
         joined.device.empty() ? "" : fmt::format(" on {}", joined.device));
 }
 
-Table pairs_table(const PreferenceAndCost& joined) {
-    Table table{{"Condition", "Validity", "A", "B", "RMSE A", "RMSE B", "B minus A", "ms A", "ms B",
-                 "ms, B minus A", "B (%)"},
-                {}};
+PageTable pairs_table(const PreferenceAndCost& joined) {
+    PageTable table{{"Condition", "Validity", "A", "B", "RMSE A", "RMSE B", "B minus A", "ms A",
+                     "ms B", "ms, B minus A", "B (%)"},
+                    {}};
     for (const MeasuredPair& pair : joined.pairs) {
         const ConditionVotes& condition = pair.condition->condition;
         const auto with_sign = [](const Possible<double>& value, int decimals) {

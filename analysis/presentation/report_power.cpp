@@ -31,10 +31,10 @@ std::string needed_cell(const Possible<std::int64_t>& n) {
 }
 
 /// How many participants would show each share that was met.
-Table needed_table(const RunPower& power) {
-    Table table{{"Condition or hypothesis", "B (%)", "Needed, one test",
-                 fmt::format("Needed, {}", tests_words(power))},
-                {}};
+PageTable needed_table(const RunPower& power) {
+    PageTable table{{"Condition or hypothesis", "B (%)", "Needed, one test",
+                     fmt::format("Needed, {}", tests_words(power))},
+                    {}};
     for (const auto* list : {&power.conditions, &power.hypotheses}) {
         for (const RunPower::Needed& needed : *list) {
             table.rows.push_back({needed.name, fmt::format("{:.1f}", 100.0 * needed.share_b),
@@ -44,10 +44,10 @@ Table needed_table(const RunPower& power) {
     return table;
 }
 
-Table power_table(const RunPower& power) {
-    Table table{{"True share (%)", "Exact test (%)", "Chi-square test (%)",
-                 fmt::format("Exact, {} (%)", tests_words(power))},
-                {}};
+PageTable power_table(const RunPower& power) {
+    PageTable table{{"True share (%)", "Exact test (%)", "Chi-square test (%)",
+                     fmt::format("Exact, {} (%)", tests_words(power))},
+                    {}};
     for (const RunPower::At& at : power.shares) {
         table.rows.push_back({fmt::format("{:.0f}", 100.0 * at.share),
                               fmt::format("{:.1f}", 100.0 * at.exact.power),

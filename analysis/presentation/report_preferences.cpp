@@ -53,10 +53,10 @@ std::string share_cell(const Possible<Interval>& interval) {
     return fmt::format("{:.1f} to {:.1f}", 100.0 * interval->low, 100.0 * interval->high);
 }
 
-Table shares_table(const Analysis& analysis) {
-    Table table{{"Condition", "A", "B", "Votes A : B", "B (%)", "95 % interval (%)", "Cohen's g",
-                 "Chi-square", "p", "p, exact", "p, Holm", "p, BH"},
-                {}};
+PageTable shares_table(const Analysis& analysis) {
+    PageTable table{{"Condition", "A", "B", "Votes A : B", "B (%)", "95 % interval (%)",
+                     "Cohen's g", "Chi-square", "p", "p, exact", "p, Holm", "p, BH"},
+                    {}};
     for (const ConditionResult* result : by_validity(analysis)) {
         const ConditionVotes& condition = result->condition;
         const Preference& tests = result->preference;
@@ -83,8 +83,8 @@ std::string bayes_cell(const Possible<BayesFactor>& factor) {
     return fmt::format("{:.2f}", *factor->bf10);
 }
 
-Table belief_table(const Analysis& analysis) {
-    Table table{
+PageTable belief_table(const Analysis& analysis) {
+    PageTable table{
         {"Condition", "Expected B (%)", "95 % credible (%)", "P(B preferred)", "Bayes factor"}, {}};
     for (const ConditionResult* result : by_validity(analysis)) {
         const Possible<Posterior>& belief = result->preference.posterior;
@@ -118,7 +118,7 @@ void add_test(std::vector<std::string>& row, const Possible<ChiSquareTest>& test
 std::string same_words(const SameParticipants& same) {
     if (same.mcnemar.has_value()) {
         return fmt::format("{} to A, {} to B, {} (McNemar, n {})", same.changed.a, same.changed.b,
-                           p_words(same.mcnemar->p()), same.n);
+                           p_words(same.mcnemar->exact), same.n);
     }
     if (!same.cochran_q.has_value()) return "none: " + same.cochran_q.reason;
     return fmt::format("Q {:.2f}, df {}, {} (Cochran, n {})", same.cochran_q->statistic,
@@ -126,10 +126,10 @@ std::string same_words(const SameParticipants& same) {
 }
 
 /// By how much the share of B differs between levels.
-Table differences_table(const Analysis& analysis) {
-    Table table{{"Variants A | B", "From", "To", "B changes by (points)", "95 % interval (points)",
-                 "Interval from"},
-                {}};
+PageTable differences_table(const Analysis& analysis) {
+    PageTable table{{"Variants A | B", "From", "To", "B changes by (points)",
+                     "95 % interval (points)", "Interval from"},
+                    {}};
     for (const Comparison& comparison : analysis.validity->by_level) {
         for (const LevelDifference& difference : comparison.differences) {
             table.rows.push_back(
@@ -145,10 +145,10 @@ Table differences_table(const Analysis& analysis) {
 }
 
 /// The votes of each hypothesis together.
-Table hypotheses_table(const Analysis& analysis) {
-    Table table{{"Hypothesis", "Conditions", "Votes A : B", "B (%)", "95 % interval (%)",
-                 "p, chi-square", "p, participants"},
-                {}};
+PageTable hypotheses_table(const Analysis& analysis) {
+    PageTable table{{"Hypothesis", "Conditions", "Votes A : B", "B (%)", "95 % interval (%)",
+                     "p, chi-square", "p, participants"},
+                    {}};
     for (const HypothesisResult& result : analysis.hypotheses) {
         const Preference& pooled = result.pooled;
         if (!result.pooling.has_value()) {
@@ -199,9 +199,9 @@ void add_validity(ReportDraft& draft, const ValidityResult& validity) {
         draft.page.paragraph(validity.sentence);
         return;
     }
-    Table table{{"Variants A | B", "Scene", "Conditions", "Votes A : B", "Chi-square", "df", "p",
-                 "p, Fisher", "Same participants"},
-                {}};
+    PageTable table{{"Variants A | B", "Scene", "Conditions", "Votes A : B", "Chi-square", "df",
+                     "p", "p, Fisher", "Same participants"},
+                    {}};
     for (const auto* list : {&validity.by_level, &validity.by_pair}) {
         for (const Comparison& comparison : *list) table.rows.push_back(comparison_row(comparison));
     }
@@ -216,7 +216,7 @@ void add_validity(ReportDraft& draft, const ValidityResult& validity) {
     if (!validity.without_partner.empty()) {
         draft.page.paragraph(capital(partner_words(validity.without_partner)));
     }
-    const Table differences = differences_table(draft.input.analysis);
+    const PageTable differences = differences_table(draft.input.analysis);
     if (differences.rows.empty()) return;
     draft.page.table(
         differences,
@@ -238,7 +238,8 @@ void add_preferences(ReportDraft& draft) {
     draft.page.table(
         shares_table(analysis),
         "Chi-square and p: Pearson's test against an equal split, df 1, no continuity correction. "
-        "p, exact: two-sided binomial test. p, Holm: p after Holm's correction over all conditions "
+        "p, exact: two-sided binomial test. p, Holm: p, exact after Holm's correction over all "
+        "conditions "
         "(the chance of any false alarm stays at 5 %); p, BH: after Benjamini and Hochberg's (the "
         "share of false alarms). Cohen's g: share of B minus one half; .05 is small, .15 medium, "
         ".25 large.");
@@ -306,9 +307,9 @@ void add_scales(ReportDraft& draft) {
         plot.line = 0.0;
         plot.left = "less preferred";
         plot.right = "more preferred";
-        Table table{{"Variant", "JOD", "SE (JOD)", "Bradley-Terry (log odds)", "SE (log odds)",
-                     "95 %, participants drawn anew (JOD)"},
-                    {}};
+        PageTable table{{"Variant", "JOD", "SE (JOD)", "Bradley-Terry (log odds)", "SE (log odds)",
+                         "95 %, participants drawn anew (JOD)"},
+                        {}};
         std::vector<std::size_t> order(scale.variants.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {

@@ -21,7 +21,7 @@ namespace {
 struct Setting {
     std::string technique;
     int samples = 0;
-    std::string blur;
+    std::string denoise;
     int views = 0;
     int on_front = 0;  ///< views on whose front it is
     double ms = 0.0;   ///< means over the views
@@ -48,10 +48,10 @@ Overview overview_of(const MeasurementTable& table, const PreferenceAndCost& joi
             continue;
         }
         views.insert({row.scene, row.camera, row.validity});
-        Setting& setting = settings[{row.technique, row.samples, row.blur}];
+        Setting& setting = settings[{row.technique, row.samples, row.denoise}];
         setting.technique = row.technique;
         setting.samples = row.samples;
-        setting.blur = row.blur;
+        setting.denoise = row.denoise;
         ++setting.views;
         setting.on_front += row.on_front ? 1 : 0;
         setting.ms += *row.ms_median;
@@ -94,13 +94,14 @@ Plot speed_plot(const Overview& overview) {
     return curve_plot(plot);
 }
 
-Table speed_table(const Overview& overview) {
-    Table table{{"Technique", "Samples", "Filter", "Median (ms)", "RMSE", "On the front of"}, {}};
+PageTable speed_table(const Overview& overview) {
+    PageTable table{{"Technique", "Samples", "Filter", "Median (ms)", "RMSE", "On the front of"},
+                    {}};
     for (const Setting& setting : overview.settings) {
         table.rows.push_back(
             {setting.technique, setting.samples == 0 ? kNoValue : std::to_string(setting.samples),
-             setting.blur.empty() ? kNoValue : setting.blur, fmt::format("{:.3f}", setting.ms),
-             fmt::format("{:.4f}", setting.rmse),
+             setting.denoise.empty() ? kNoValue : setting.denoise,
+             fmt::format("{:.3f}", setting.ms), fmt::format("{:.4f}", setting.rmse),
              fmt::format("{} of {}", setting.on_front, setting.views)});
     }
     return table;

@@ -76,8 +76,8 @@ void add_pair(ReportDraft& draft, const ConditionVotes& condition, const Hashes&
     for (int i = 0; i < 2; ++i) draft.file(files[i], bytes[i]);
 }
 
-Table conditions_table(const ReportInput& input) {
-    Table table{{"Condition", "Hypothesis", "Validity", "Scene", "Image A", "Image B"}, {}};
+PageTable conditions_table(const ReportInput& input) {
+    PageTable table{{"Condition", "Hypothesis", "Validity", "Scene", "Image A", "Image B"}, {}};
     for (const ConditionResult* result : by_validity(input.analysis)) {
         const ConditionVotes& condition = result->condition;
         const ShownImage* image = shown_image(input.images, condition, 'A');

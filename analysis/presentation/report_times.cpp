@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t kMostPositions = 60;
 
-void add_row(IntervalPlot& plot, Table& table, const std::string& name, std::size_t group,
+void add_row(IntervalPlot& plot, PageTable& table, const std::string& name, std::size_t group,
              const Quartiles& seconds, const std::string& interval) {
     plot.rows.push_back({name, fmt::format("{:.2f} s", seconds.median), group, true, seconds.median,
                          seconds.first, seconds.third});
@@ -93,7 +93,8 @@ void add_learning(ReportDraft& draft) {
     plot.name = "learning";
     plot.title = "Response time over the session";
     plot.axis = "seconds from question to answer: median and quartiles";
-    Table table{{"Trial", "Answers", "First quartile (s)", "Median (s)", "Third quartile (s)"}, {}};
+    PageTable table{{"Trial", "Answers", "First quartile (s)", "Median (s)", "Third quartile (s)"},
+                    {}};
     for (const auto& [position, seconds] : by_position(analysis.tally)) {
         add_row(plot, table, fmt::format("trial {}", position + 1), 0, seconds, "");
         table.rows.back().pop_back();
@@ -118,9 +119,9 @@ void add_response_times(ReportDraft& draft) {
     plot.title = "Response time";
     plot.axis = "seconds from question to answer: median and quartiles of participants";
     plot.groups = {"one condition", "all together"};
-    Table table{{"Condition", "Participants", "First quartile (s)", "Median (s)",
-                 "Third quartile (s)", "95 % interval of the median (s)"},
-                {}};
+    PageTable table{{"Condition", "Participants", "First quartile (s)", "Median (s)",
+                     "Third quartile (s)", "95 % interval of the median (s)"},
+                    {}};
     for (std::size_t i = 0; i < times.by_condition.size(); ++i) {
         const Possible<ResponseTimeSummary>& summary = times.by_condition[i];
         if (!summary.has_value()) continue;

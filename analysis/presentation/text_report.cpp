@@ -111,14 +111,15 @@ std::string order_bias_line(const Analysis& analysis) {
     }
     const OrderBias& bias = *analysis.order_bias;
     std::string text =
-        fmt::format("Order bias: the image shown second was chosen {} of {} times, exact p {}.",
-                    bias.votes.second_chosen, bias.votes.n, p_value(bias.exact));
+        fmt::format("Order bias: the image shown second was chosen {} of {} times. {}",
+                    bias.votes.second_chosen, bias.votes.n, order_words(bias.by_participant));
     if (!bias.logistic.has_value()) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
     const OrderBiasTest& test = *bias.logistic;
     return text + fmt::format(
-                      " Logistic regression over {}: of two equally liked images the second is "
+                      " Logistic regression over {}, which takes every answer as independent: of "
+                      "two equally liked images the second is "
                       "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
                       "likelihood "
                       "ratio {:.4f}, df 1, p {}.\n",
@@ -200,7 +201,7 @@ std::string text_report(const Analysis& analysis) {
     std::string words =
         "chi-sq, p: Pearson's chi-square test against an equal split, df 1, no continuity "
         "correction.\n"
-        "p exact: two-sided exact binomial test. p Holm: p after Holm's correction over all "
+        "p exact: two-sided exact binomial test. p Holm: p exact after Holm's correction over all "
         "conditions.\n"
         "95 % interval: Wilson's, of the share of B. g: Cohen's g, share of B minus one half.\n\n";
     text += wrapped(words) + belief_table(analysis) + '\n';

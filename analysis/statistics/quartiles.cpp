@@ -6,16 +6,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
+#include "analysis/statistics/quantile.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
-
-double quantile_of_sorted(const std::vector<double>& sorted, double share) {
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 Possible<Quartiles> quartiles(std::vector<double>& sample) {
     if (sample.empty()) return Possible<Quartiles>::none("no values");

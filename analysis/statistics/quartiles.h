@@ -17,10 +17,6 @@ struct Quartiles {
     double third = 0.0;
 };
 
-/// The value below which a share of the sorted, non-empty sample lies, between neighbours by their
-/// distance (type 7 of R. J. Hyndman and Y. Fan 1996). `share` 0 to 1.
-[[nodiscard]] double quantile_of_sorted(const std::vector<double>& sorted, double share);
-
 /// Sorts the sample. No value for an empty one. Throws bad input for values that are not finite.
 [[nodiscard]] Possible<Quartiles> quartiles(std::vector<double>& sample);
 

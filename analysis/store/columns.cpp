@@ -137,9 +137,9 @@ constexpr auto column(const char* name) {
 
 }  // namespace
 
-const Table<ParticipantRecord>& participants_table() {
+const RecordTable<ParticipantRecord>& participants_table() {
     using R = ParticipantRecord;
-    static const Table<R> table{
+    static const RecordTable<R> table{
         "participants",
         {column<&R::participant_id>("participant_id"), column<&R::kind>("kind"),
          column<&R::age_years>("age_years"), column<&R::gender>("gender"),
@@ -148,68 +148,68 @@ const Table<ParticipantRecord>& participants_table() {
     return table;
 }
 
-const Table<SessionRecord>& sessions_table() {
+const RecordTable<SessionRecord>& sessions_table() {
     using R = SessionRecord;
-    static const Table<R> table{"sessions",
-                                {column<&R::session_id>("session_id"),
-                                 column<&R::participant_id>("participant_id"),
-                                 column<&R::kind>("kind"),
-                                 column<&R::study>("study"),
-                                 column<&R::study_sha256>("study_sha256"),
-                                 column<&R::order>("order_kind"),
-                                 column<&R::seed>("seed"),
-                                 column<&R::slot>("slot"),
-                                 column<&R::latin_square>("latin_square"),
-                                 column<&R::latin_row>("latin_row"),
-                                 column<&R::swapped>("swapped"),
-                                 column<&R::condition_count>("condition_count"),
-                                 column<&R::state>("state"),
-                                 column<&R::started_utc>("started_utc"),
-                                 column<&R::ended_utc, TextOrNull>("ended_utc"),
-                                 column<&R::software>("software"),
-                                 column<&R::operating_system>("operating_system"),
-                                 column<&R::gpu_renderer>("gpu_renderer"),
-                                 column<&R::display>("display"),
-                                 column<&R::refresh_hz>("refresh_hz"),
-                                 column<&R::exclusion, TextOrNull>("exclusion")}};
+    static const RecordTable<R> table{"sessions",
+                                      {column<&R::session_id>("session_id"),
+                                       column<&R::participant_id>("participant_id"),
+                                       column<&R::kind>("kind"),
+                                       column<&R::study>("study"),
+                                       column<&R::study_sha256>("study_sha256"),
+                                       column<&R::order>("order_kind"),
+                                       column<&R::seed>("seed"),
+                                       column<&R::slot>("slot"),
+                                       column<&R::latin_square>("latin_square"),
+                                       column<&R::latin_row>("latin_row"),
+                                       column<&R::swapped>("swapped"),
+                                       column<&R::condition_count>("condition_count"),
+                                       column<&R::state>("state"),
+                                       column<&R::started_utc>("started_utc"),
+                                       column<&R::ended_utc, TextOrNull>("ended_utc"),
+                                       column<&R::software>("software"),
+                                       column<&R::operating_system>("operating_system"),
+                                       column<&R::gpu_renderer>("gpu_renderer"),
+                                       column<&R::display>("display"),
+                                       column<&R::refresh_hz>("refresh_hz"),
+                                       column<&R::exclusion, TextOrNull>("exclusion")}};
     return table;
 }
 
-const Table<TrialRecord>& trials_table() {
+const RecordTable<TrialRecord>& trials_table() {
     using R = TrialRecord;
-    static const Table<R> table{"trials",
-                                {column<&R::session_id>("session_id"),
-                                 column<&R::kind>("kind"),
-                                 column<&R::trial_index>("trial_index"),
-                                 column<&R::condition>("condition"),
-                                 column<&R::hypothesis>("hypothesis"),
-                                 column<&R::scene>("scene"),
-                                 column<&R::validity>("validity"),
-                                 column<&R::condition_A>("condition_A"),
-                                 column<&R::condition_B>("condition_B"),
-                                 column<&R::first_shown>("first_shown"),
-                                 column<&R::response_first>("response_first"),
-                                 column<&R::is_A_selected>("is_A_selected"),
-                                 column<&R::response_time_s>("response_time_s"),
-                                 column<&R::first_onset_s>("first_onset_s"),
-                                 column<&R::second_onset_s>("second_onset_s"),
-                                 column<&R::question_onset_s>("question_onset_s"),
-                                 column<&R::first_view_ms>("first_view_ms"),
-                                 column<&R::second_view_ms>("second_view_ms"),
-                                 column<&R::grey_ms_measured>("grey_ms_measured"),
-                                 column<&R::dropped_frames>("dropped_frames"),
-                                 column<&R::hidden_ms>("hidden_ms"),
-                                 column<&R::first_sha256>("first_sha256"),
-                                 column<&R::second_sha256>("second_sha256"),
-                                 column<&R::answered_utc>("answered_utc"),
-                                 column<&R::expected, LetterOrNull>("expected"),
-                                 column<&R::repeats, TextOrNull>("repeats")}};
+    static const RecordTable<R> table{"trials",
+                                      {column<&R::session_id>("session_id"),
+                                       column<&R::kind>("kind"),
+                                       column<&R::trial_index>("trial_index"),
+                                       column<&R::condition>("condition"),
+                                       column<&R::hypothesis>("hypothesis"),
+                                       column<&R::scene>("scene"),
+                                       column<&R::validity>("validity"),
+                                       column<&R::condition_A>("condition_A"),
+                                       column<&R::condition_B>("condition_B"),
+                                       column<&R::first_shown>("first_shown"),
+                                       column<&R::response_first>("response_first"),
+                                       column<&R::is_A_selected>("is_A_selected"),
+                                       column<&R::response_time_s>("response_time_s"),
+                                       column<&R::first_onset_s>("first_onset_s"),
+                                       column<&R::second_onset_s>("second_onset_s"),
+                                       column<&R::question_onset_s>("question_onset_s"),
+                                       column<&R::first_view_ms>("first_view_ms"),
+                                       column<&R::second_view_ms>("second_view_ms"),
+                                       column<&R::grey_ms_measured>("grey_ms_measured"),
+                                       column<&R::dropped_frames>("dropped_frames"),
+                                       column<&R::hidden_ms>("hidden_ms"),
+                                       column<&R::first_sha256>("first_sha256"),
+                                       column<&R::second_sha256>("second_sha256"),
+                                       column<&R::answered_utc>("answered_utc"),
+                                       column<&R::expected, LetterOrNull>("expected"),
+                                       column<&R::repeats, TextOrNull>("repeats")}};
     return table;
 }
 
-const Table<EventRecord>& events_table() {
+const RecordTable<EventRecord>& events_table() {
     using R = EventRecord;
-    static const Table<R> table{
+    static const RecordTable<R> table{
         "events",
         {column<&R::session_id, TextOrNull>("session_id"), column<&R::time_utc>("time_utc"),
          column<&R::name>("name"), column<&R::detail>("detail")}};

@@ -32,14 +32,14 @@ struct Column {
 
 /// Every column of a table but `entry`, the number of the row. Insert and select both read it.
 template <typename Record>
-struct Table {
+struct RecordTable {
     const char* name;
     std::vector<Column<Record>> columns;
 };
 
-[[nodiscard]] const Table<ParticipantRecord>& participants_table();
-[[nodiscard]] const Table<SessionRecord>& sessions_table();
-[[nodiscard]] const Table<TrialRecord>& trials_table();
-[[nodiscard]] const Table<EventRecord>& events_table();
+[[nodiscard]] const RecordTable<ParticipantRecord>& participants_table();
+[[nodiscard]] const RecordTable<SessionRecord>& sessions_table();
+[[nodiscard]] const RecordTable<TrialRecord>& trials_table();
+[[nodiscard]] const RecordTable<EventRecord>& events_table();
 
 }  // namespace obscura::analysis

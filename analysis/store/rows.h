@@ -17,7 +17,7 @@ namespace obscura::analysis {
 
 /// The table's columns with commas between them, each after `prefix`.
 template <typename Record>
-std::string column_names(const Table<Record>& table, const char* prefix) {
+std::string column_names(const RecordTable<Record>& table, const char* prefix) {
     std::string names;
     for (const Column<Record>& column : table.columns) {
         if (!names.empty()) names += ", ";
@@ -29,8 +29,9 @@ std::string column_names(const Table<Record>& table, const char* prefix) {
 
 /// The table with some of its columns.
 template <typename Record>
-Table<Record> part_of(const Table<Record>& table, const std::vector<std::string_view>& names) {
-    Table<Record> part{table.name, {}};
+RecordTable<Record> part_of(const RecordTable<Record>& table,
+                            const std::vector<std::string_view>& names) {
+    RecordTable<Record> part{table.name, {}};
     for (const Column<Record>& column : table.columns) {
         if (std::find(names.begin(), names.end(), column.name) != names.end()) {
             part.columns.push_back(column);
@@ -42,7 +43,7 @@ Table<Record> part_of(const Table<Record>& table, const std::vector<std::string_
 
 /// Adds the record as a row.
 template <typename Record>
-void insert(soci::session& session, const Table<Record>& table, const Record& record) {
+void insert(soci::session& session, const RecordTable<Record>& table, const Record& record) {
     std::vector<Cell> cells(table.columns.size());
     soci::statement statement(session);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -73,7 +74,7 @@ template <typename Record>
 class Rows {
   public:
     /// `rest` is what follows FROM, `prefix` the table's name in it; its values are in `values`.
-    Rows(soci::session& session, const Table<Record>& table, const std::string& rest,
+    Rows(soci::session& session, const RecordTable<Record>& table, const std::string& rest,
          const std::vector<std::string>& values = {}, const char* prefix = "")
         : table_(table), cells_(table.columns.size()), statement_(session) {
         for (const std::string& value : values) statement_.exchange(soci::use(value));
@@ -108,14 +109,14 @@ class Rows {
         }
     }
 
-    const Table<Record>& table_;
+    const RecordTable<Record>& table_;
     std::vector<Cell> cells_;
     soci::statement statement_;
 };
 
 /// Rows of a table; `rest` is what follows its name, with named values from `values`.
 template <typename Record>
-std::vector<Record> select(soci::session& session, const Table<Record>& table,
+std::vector<Record> select(soci::session& session, const RecordTable<Record>& table,
                            const std::string& rest, const std::vector<std::string>& values = {}) {
     Rows<Record> rows(session, table, fmt::format("{} {}", table.name, rest), values);
     std::vector<Record> records;

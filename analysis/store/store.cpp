@@ -127,7 +127,7 @@ struct Store::Impl {
     }
 
     template <typename Record>
-    void each(const Table<Record>& table, const std::string& rest,
+    void each(const RecordTable<Record>& table, const std::string& rest,
               const std::function<void(const Record&)>& take) {
         database.guarded("read", [&] {
             Rows<Record> rows(database.session(), table, rest);
@@ -136,7 +136,7 @@ struct Store::Impl {
     }
 
     template <typename Record>
-    std::vector<Record> read(const Table<Record>& table, const std::string& rest,
+    std::vector<Record> read(const RecordTable<Record>& table, const std::string& rest,
                              const std::vector<std::string>& values = {}) {
         return database.guarded("read",
                                 [&] { return select(database.session(), table, rest, values); });

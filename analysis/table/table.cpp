@@ -124,7 +124,7 @@ class Widths {
 
 }  // namespace
 
-Table::Table(std::string bytes, const std::string& name) : name_(name) {
+ForeignTable::ForeignTable(std::string bytes, const std::string& name) : name_(name) {
     DecodedText decoded = decode(std::move(bytes), name);
     text_ = std::move(decoded.text);
     if (!decoded.encoding.empty()) {
@@ -135,7 +135,7 @@ Table::Table(std::string bytes, const std::string& name) : name_(name) {
     if (!is_json_) find_separator();
 }
 
-void Table::find_separator() {
+void ForeignTable::find_separator() {
     rest_ = without_blank_lines(rest_, first_line_);
     const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
     std::string_view word = trimmed(line);
@@ -152,7 +152,8 @@ void Table::find_separator() {
     separator_ = separator_of(line);
 }
 
-void Table::for_each_row(FileProblems& problems, const std::function<void(const CsvRow&)>& take) {
+void ForeignTable::for_each_row(FileProblems& problems,
+                                const std::function<void(const CsvRow&)>& take) {
     if (is_json_) {
         for_each_json_row(rest_, name_, take);
         return;

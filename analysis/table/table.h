@@ -16,11 +16,11 @@ namespace obscura::analysis {
 /// or JSON, an object a row: an array of objects, of such arrays, or one object after another, as
 /// jsPsych writes. A JSON object's members are the columns; those within a short array or an object
 /// are called `name[0]` and `name.member`.
-class Table {
+class ForeignTable {
   public:
     /// Throws bad input for text in no known encoding. `name` stands for the file in messages and
     /// must outlive this.
-    Table(std::string bytes, const std::string& name);
+    ForeignTable(std::string bytes, const std::string& name);
 
     /// The header, then every row, with as many fields as that. A row may lack unnamed columns at
     /// its end, may have empty fields beyond the header, and may begin with a row's number that the

@@ -4,11 +4,11 @@
 #include <signal.h>
 
 #include <atomic>
-#include <charconv>
 #include <cstring>
 #include <memory>
 
 #include "app/commands/closed_forms_table.h"
+#include "app/commands/image_size.h"
 #include "app/commands/list.h"
 #include "app/commands/variant_arguments.h"
 #include "app/commands/variants_help.h"
@@ -67,24 +67,6 @@ class StopOnInterrupt {
   private:
     struct sigaction before_ = {};
 };
-
-template <typename Number>
-bool read_number(std::string_view text, Number& number) {
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && rest == end;
-}
-
-void parse_size(const std::string& text, int& width, int& height) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string::npos ||
-        !read_number(std::string_view(text).substr(0, cross), width) ||
-        !read_number(std::string_view(text).substr(cross + 1), height)) {
-        throw base::bad_input("--size: \"{}\" is not WxH, such as 1280x720", text);
-    }
-    base::check_range("--size", "width", width, 1, 16384);
-    base::check_range("--size", "height", height, 1, 16384);
-}
 
 void require_writable_file(const std::filesystem::path& file) {
     if (file.extension() != ".exr") {
@@ -166,7 +148,10 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
         if (value->empty()) throw base::bad_input("{} is missing", name);
     }
     FloatImage image;
-    parse_size(options.size, image.width, image.height);
+    const ImageSize size = parse_size(options.size);
+    image.width = size.width;
+    image.height = size.height;
+
     const Variant choice = variant_from(options.variant);
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <memory>
 
+#include "app/commands/image_size.h"
 #include "app/commands/list.h"
 #include "app/measure/measure.h"
 #include "renderer/base/files.h"
@@ -17,23 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "WxH" as two whole numbers.
-void parse_size(const std::string& text, MeasureRequest& request) {
-    const char* const end = text.data() + text.size();
-    int width = 0;
-    int height = 0;
-    const auto [cross, first] = std::from_chars(text.data(), end, width);
-    if (first == std::errc() && cross != end && *cross == 'x') {
-        const auto [rest, second] = std::from_chars(cross + 1, end, height);
-        if (second == std::errc() && rest == end) {
-            request.width = width;
-            request.height = height;
-            return;
-        }
-    }
-    throw base::bad_input("--size: \"{}\" is not WIDTHxHEIGHT, such as 640x360", text);
-}
-
 struct MeasureOptions {
     MeasureRequest request;
     std::string size;
@@ -42,7 +25,11 @@ struct MeasureOptions {
 base::ExitCode run(MeasureOptions options, const Globals& globals) {
     MeasureRequest& request = options.request;
     request.quiet = globals.quiet;
-    if (!options.size.empty()) parse_size(options.size, request);
+    if (!options.size.empty()) {
+        const ImageSize size = parse_size(options.size);
+        request.width = size.width;
+        request.height = size.height;
+    }
     if (request.out.empty()) request.out = globals.data / "reports" / "measure";
     request.cache = globals.data / "cache" / "reference";
     if (!request.study.empty() && !request.scenes.empty()) {
@@ -97,8 +84,8 @@ std::function<base::ExitCode()> attach_measure(CLI::App& app, const Globals& glo
                    "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
         ->delimiter(',');
     app.add_option("--size", options->size,
-                   fmt::format("WIDTHxHEIGHT of the images, pixels (default: {}x{})",
-                               kUsualSize.width, kUsualSize.height));
+                   fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
+                               kUsualSize.height));
     app.add_option(
         "--rays", request.rays,
         fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));

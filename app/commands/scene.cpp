@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <memory>
 
+#include "app/commands/image_size.h"
 #include "app/commands/list.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
@@ -23,18 +23,6 @@ struct SceneOptions {
     std::string size = "1280x720";
     double scale = 1.0;
 };
-
-/// "WxH" as two whole numbers.
-std::pair<int, int> parse_size(const std::string& text) {
-    std::pair<int, int> size;
-    const char* const end = text.data() + text.size();
-    const auto [cross, first] = std::from_chars(text.data(), end, size.first);
-    if (first == std::errc() && cross != end && *cross == 'x') {
-        const auto [rest, second] = std::from_chars(cross + 1, end, size.second);
-        if (second == std::errc() && rest == end) return size;
-    }
-    throw base::bad_input("--size: \"{}\" is not WxH in pixels, such as 1280x720", text);
-}
 
 stimuli::OpenedScene open(const SceneOptions& options) {
     stimuli::SceneSettings settings;

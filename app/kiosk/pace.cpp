@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/statistics/quantile.h"
 #include "app/kiosk/stimulus_view.h"
 
 namespace obscura::app::kiosk {
@@ -17,10 +18,6 @@ constexpr int kFrames = 24;
 /// A frame asked for at a refresh and shown at the next is not late, whatever the clock's jitter.
 constexpr double kJitter = 0.1;
 
-[[nodiscard]] double quantile(const std::vector<double>& sorted, double share) {
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
 }  // namespace
 
 Pace pace_of(std::vector<double> intervals_s, double refresh_hz) {
@@ -28,8 +25,9 @@ Pace pace_of(std::vector<double> intervals_s, double refresh_hz) {
     pace.period_s = 1.0 / (refresh_hz > 0.0 ? refresh_hz : kUsualRefresh_hz);
     if (intervals_s.empty()) return pace;
     std::sort(intervals_s.begin(), intervals_s.end());
-    const double off = std::abs(quantile(intervals_s, 0.5) - pace.period_s);
-    const double spread = quantile(intervals_s, 0.9) - quantile(intervals_s, 0.1);
+    const double off = std::abs(analysis::quantile_of_sorted(intervals_s, 0.5) - pace.period_s);
+    const double spread = analysis::quantile_of_sorted(intervals_s, 0.9) -
+                          analysis::quantile_of_sorted(intervals_s, 0.1);
     pace.locked =
         off <= kMedianTolerance * pace.period_s && spread <= kSpreadTolerance * pace.period_s;
     return pace;

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "app/kiosk/page.h"
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
 #include "app/kiosk/window.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/kiosk/pace.h"
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/ui.h"
 #include "app/kiosk/window.h"
 #include "stimuli/study.h"

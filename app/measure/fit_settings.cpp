@@ -158,7 +158,7 @@ FittedChoice fit_on_scene(MeasuredScene& stage, const FitEffort& effort,
     record.depth_format = published.depth_format;
     record.technique = published.technique;
     record.samples = published.samples;
-    record.blur = published.denoise;
+    record.denoise = published.denoise;
     record.training_cameras = cameras.training;
     record.reported_cameras = cameras.reported;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {

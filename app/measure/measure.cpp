@@ -189,7 +189,7 @@ std::string file_stem(std::string text) {
 void name_map(analysis::ErrorMap& map, const analysis::MeasurementRow& row,
               std::set<std::string>& taken) {
     std::string setting = row.variant;
-    if (row.blur != kPlottedFilter && row.samples > 0) setting += ' ' + row.blur;
+    if (row.denoise != kPlottedFilter && row.samples > 0) setting += ' ' + row.denoise;
     if (row.depth_format != "r32f") setting += ' ' + row.depth_format;
     const std::string name = file_stem(fmt::format("error-{}-{}-{}{}", row.scene_id, row.camera,
                                                    setting, row.fitted ? "-fitted" : ""));
@@ -294,7 +294,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     const renderer::HeadlessContext context;
     Measured measured;
     measured.report.device = renderer::gpu_description();
-    measured.report.blur = kPlottedFilter;
+    measured.report.denoise = kPlottedFilter;
     measured.report.of_study = request.scenes.empty();
     measured.report.asks_order = request.scenes.empty() && study.name == kThesis;
     measured.report.title = request.hard_cases ? "Hard cases"

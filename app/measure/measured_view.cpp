@@ -181,6 +181,15 @@ bool same_parameters(const Variant& a, const Variant& b) {
     return a == like_a;
 }
 
+/// Whether a value of one technique's parameter says something of another's: R does, and what has
+/// the same meaning. An exponent of something else does not.
+bool mean_the_same(const Technique& a, const Technique& b, const std::string& name) {
+    const Parameter* of_a = a.find_parameter(name);
+    const Parameter* of_b = b.find_parameter(name);
+    if (of_a == nullptr || of_b == nullptr) return false;
+    return name == kTruthRadius || of_a->meaning == of_b->meaning;
+}
+
 /// Of those that show the technique, one for each set of parameters.
 std::vector<Valued> ways_of(const std::vector<ShownSetting>& shown, const std::string& technique) {
     std::vector<Valued> ways;
@@ -268,7 +277,10 @@ std::vector<Valued> published_choices(const MeasuredView& view, const stimuli::S
     if (made.choice.parameters.empty()) made.values = Values::kStandard;
     for (const ShownSetting& setting : here) {
         for (const auto& [name, value] : setting.choice.parameters) {
-            if (descriptor.find_parameter(name) == nullptr) continue;
+            if (!mean_the_same(descriptor, *renderer::find_technique(setting.choice.technique),
+                               name)) {
+                continue;
+            }
             made.choice.parameters[name] = value;
             if (made.values == Values::kStandard) made.values = Values::kPublished;
         }

@@ -30,7 +30,7 @@ analysis::MeasurementRow describe(const MeasuredView& view, const Setting& setti
     row.technique = choice.technique;
     row.variant = choice.variant_name();
     row.samples = choice.samples;
-    row.blur = choice.denoise;
+    row.denoise = choice.denoise;
     row.depth_format = choice.depth_format;
     row.noise = choice.samples > 0 ? fmt::format("tile{0}x{0}", kTileSize) : "none";
     row.width = width;

@@ -77,7 +77,7 @@ void RunTimes::put(analysis::MeasurementRow& row, const std::vector<double>& oth
         frame_ms.push_back(both_ms_[i] + others_ms[i]);
     }
     row.accessibility = analysis::summary_of(accessibility_ms_);
-    row.denoise = analysis::summary_of(denoise_ms_);
+    row.filter = analysis::summary_of(denoise_ms_);
     row.cost = analysis::summary_of(both_ms_);
     row.frame = analysis::summary_of(frame_ms);
     row.runs = static_cast<int>(both_ms_.size());

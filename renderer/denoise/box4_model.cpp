@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "renderer/denoise/denoise.h"
+#include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
-#include "renderer/technique/seen_buffers.h"
 
 namespace obscura::renderer {
 

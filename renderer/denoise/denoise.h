@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/model/model.h"
 #include "renderer/recipe/recipe.h"
-#include "renderer/technique/model.h"
 
 namespace obscura::renderer {
 

@@ -5,23 +5,22 @@
 namespace obscura::renderer {
 
 Denoise separable_denoise() {
-    // The slope from the pixel and its two neighbours; six neighbours' depths; seven
-    // accessibilities.
-    constexpr int kFetches = 3 + 6 + 7;
+    constexpr int kTaps = 7;
     Recipe recipe;
-    recipe.buffers = {{"denoise step", "r32f"}};
+    recipe.buffers = {{"denoise step", "rg32f"}};
     recipe.steps = {{"denoise",
                      "denoise/separable.glsl",
                      {Target::kAccessibility, Target::kDepth},
                      "denoise step",
-                     {"DIRECTION ivec2(1, 0)"},
-                     kFetches},
+                     {"ACROSS"},
+                     2 * kTaps,
+                     Cover::kAll},
                     {"denoise",
                      "denoise/separable.glsl",
-                     {{"denoise step", "accessibility"}, Target::kDepth},
+                     {{"denoise step", "packed"}},
                      Target::kDenoised.name,
-                     {"DIRECTION ivec2(0, 1)"},
-                     kFetches}};
+                     {},
+                     kTaps}};
     return {"separable",
             "bilateral in two passes, as Jakobsen 2010 took from Bavoil and Sainz 2009; weights "
             "follow the slope of the depth",

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/denoise/denoise.h"
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/seen_buffers.h"
 
 namespace obscura::renderer {
 namespace {
@@ -59,9 +59,10 @@ class Tap {
     [[nodiscard]] Rounded weight(int i, const Rounded& slope) const {
         if (i == 0) return Rounded(4.0);
         const Rounded distance_px(std::abs(i));
+        const Rounded per_tolerance = Rounded(1.0) / (nearest_float(kTolerance) * w_);
         const Rounded off =
-            (depth_[static_cast<std::size_t>(i + kReach)] - (w_ + slope * Rounded(i))) /
-            (nearest_float(kTolerance) * w_ * distance_px);
+            (depth_[static_cast<std::size_t>(i + kReach)] - (w_ + slope * Rounded(i))) *
+            (per_tolerance / distance_px);
         return (Rounded(4.0) - distance_px) * max(Rounded(0.0), Rounded(1.0) - off * off);
     }
 

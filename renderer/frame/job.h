@@ -38,6 +38,9 @@ struct Renderer::Job {
         program.set("u_projection", camera.clip_from_view);
         program.set("u_ray_scale", camera.ray_scale);
         program.set("u_ray_offset", camera.ray_offset);
+        program.set("u_ray_to_px", 0.5F * glm::vec2(size) / camera.ray_scale);
+        program.set("u_axis_px",
+                    0.5F * glm::vec2(size) * (1.0F - camera.ray_offset / camera.ray_scale));
     }
 };
 

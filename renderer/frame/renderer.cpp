@@ -207,7 +207,14 @@ void Renderer::note_unread_parameters(const FramePlan& plan) {
         if (pass.phase != Phase::kTechnique || !pass.step) continue;
         has_steps = true;
         const gl::Program& shader = step_program(*pass.step);
-        std::erase_if(unread, [&shader](const std::string& name) { return shader.has(name); });
+        // A step may also make a parameter's value a constant of its program.
+        const auto& defines = pass.step->defines;
+        std::erase_if(unread, [&](const std::string& name) {
+            return shader.has(name) ||
+                   std::any_of(defines.begin(), defines.end(), [&name](const std::string& define) {
+                       return define.starts_with(name + ' ');
+                   });
+        });
     }
     if (!has_steps) return;
     for (const std::string& name : unread) {

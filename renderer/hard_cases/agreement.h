@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/technique/model.h"
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/model.h"
+#include "renderer/model/seen_buffers.h"
 
 namespace obscura::renderer {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
+#include "renderer/technique/reference_rays.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
@@ -34,7 +35,6 @@ struct ReferenceOptions {
     NormalKind normal = NormalKind::kGeometric;
     int threads = 0;  ///< 0: one a core. The image does not depend on it.
 };
-inline constexpr int kMostReferenceRays = 65536;
 
 /// Ray-traced accessibility; upper row first.
 struct ReferenceImage {

@@ -9,9 +9,9 @@ float accessibility(vec2 uv, float z) {
     vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     vec3 r = random_vector();
     float sum = 0.0;
-    for (int i = 0; i < SAMPLES; ++i) {
-        sum += sample_accessibility(depth_difference(p + sample_offset(i, r, n), z));
-    }
+#define ADD(point) \
+    sum += sample_accessibility(depth_difference(p + sample_offset(point, r, n), z));
+    FOR_EACH_POINT(ADD)
     return sum / float(SAMPLES);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/technique/crytek.h"
 
+#include <cmath>
+
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/technique.h"
 
@@ -21,12 +23,26 @@ std::map<Ideal, std::string> crytek_nature() {
             {Ideal::kAnyFarPlane, "it weighs occluders by depth / far"}};
 }
 
+/// The corners of the unit cube, normalised, in rounds of eight; each 1 + 2.4/N times as long as
+/// the one before.
+std::vector<glm::vec3> offsets(int samples) {
+    std::vector<glm::vec3> list;
+    double length = 1.0 / std::sqrt(3.0);
+    for (int i = 0; i < samples; ++i) {
+        length *= 1.0 + 2.4 / samples;
+        const auto along = [&](int bit) { return ((i >> bit) & 1) != 0 ? length : -length; };
+        list.emplace_back(along(2), along(1), along(0));
+    }
+    return list;
+}
+
 Recipe recipe_of(const Variant& variant) {
     Recipe recipe;
     recipe.tables = {rotation_table()};
     // Each sample's depth; the pixel's own depth and rotation.
     recipe.steps = {accessibility_step(variant, "technique/crytek.glsl",
                                        {Target::kDepth, "rotations"}, variant.samples + 2)};
+    recipe.steps.front().defines.push_back(points_define(offsets(variant.samples)));
     return recipe;
 }
 

@@ -9,20 +9,22 @@
 uniform float p_offset_scale;
 uniform float u_far_m;
 
+#ifndef FOR_EACH_POINT
+#error the offsets before rotation and scale must be defined
+#endif
+
+float sample_accessibility(vec2 uv, float d, vec3 offset) {
+    vec3 point = vec3(uv + offset.xy, d + offset.z * d);
+    float ds = depth_at(point.xy) / u_far_m;
+    return ds >= 1.0 ? 1.0 : mix(ds > point.z ? 1.0 : 0.0, 0.5, clamp(d - ds, 0.0, 1.0));
+}
+
 float accessibility(vec2 uv, float z) {
-    mat3 rotation = rotation_to(random_vector());
+    mat3 rotation = rotation_to(random_vector()) * p_offset_scale;
     float d = z / u_far_m;
-    float scale = p_offset_scale;
     float sum = 0.0;
-    for (int i = 0; i < SAMPLES; ++i) {
-        // The corners of the unit cube, normalised, in rounds of eight.
-        vec3 corner = (vec3((i >> 2) & 1, (i >> 1) & 1, i & 1) * 2.0 - 1.0) * 0.57735026919;
-        scale *= 1.0 + 2.4 / float(SAMPLES);
-        vec3 offset = rotation * corner * scale;
-        vec3 point = vec3(uv + offset.xy, d + offset.z * d);
-        float ds = depth_at(point.xy) / u_far_m;
-        sum += ds >= 1.0 ? 1.0 : mix(ds > point.z ? 1.0 : 0.0, 0.5, clamp(d - ds, 0.0, 1.0));
-    }
+#define ADD(point) sum += sample_accessibility(uv, d, rotation * point);
+    FOR_EACH_POINT(ADD)
     float mean = sum / float(SAMPLES);
 #ifdef UNCLAMPED
     return mean * mean + mean;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/technique/model.h"
+#include "renderer/model/model.h"
 
 namespace obscura::renderer {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/crytek.h"
 #include "renderer/technique/sampling.h"
-#include "renderer/technique/seen_buffers.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
@@ -29,16 +29,15 @@ Offsets offsets_about(const glm::vec3& r, int samples, double offset_scale) {
     const Rounded3 columns[3] = {{Rounded(1.0) + sign * x * x * a, sign * b, -sign * x},
                                  {b, sign + y * y * a, -y},
                                  {x, y, z}};
-    const Rounded component = nearest_float(1.0 / std::sqrt(3.0));
-    const Rounded growth = Rounded(1.0) + nearest_float(2.4) / Rounded(samples);
-    Rounded scale = nearest_float(offset_scale);
+    const Rounded scale = nearest_float(offset_scale);
+    double length = 1.0 / std::sqrt(3.0);
     Offsets offsets;
     for (int i = 0; i < samples; ++i) {
-        scale = scale * growth;
-        const auto along = [&](int bit) { return ((i >> bit) & 1) != 0 ? component : -component; };
-        const Rounded3 turned =
-            columns[0] * along(2) + columns[1] * along(1) + columns[2] * along(0);
-        offsets.push_back(turned * scale);
+        length *= 1.0 + 2.4 / samples;
+        const auto along = [&](int axis, int bit) {
+            return columns[axis] * scale * nearest_float(((i >> bit) & 1) != 0 ? length : -length);
+        };
+        offsets.push_back(along(0, 2) + along(1, 1) + along(2, 0));
     }
     return offsets;
 }

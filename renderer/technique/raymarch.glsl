@@ -6,20 +6,23 @@
 
 const int kSteps = 4;
 
+float march_accessibility(vec3 p, vec3 offset_m, float z) {
+    vec3 step_m = offset_m / float(kSteps);
+    float delta = 0.0;
+    for (int k = 1; k <= kSteps; ++k) {
+        delta = depth_difference(p + step_m * float(k), z);
+        if (delta >= p_full_threshold_m) break;
+    }
+    return sample_accessibility(delta);
+}
+
 float accessibility(vec2 uv, float z) {
     vec3 p = view_ray(uv) * z;
     vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     vec3 r = random_vector();
     float sum = 0.0;
-    for (int i = 0; i < SAMPLES; ++i) {
-        vec3 step_m = sample_offset(i, r, n) / float(kSteps);
-        float delta = 0.0;
-        for (int k = 1; k <= kSteps; ++k) {
-            delta = depth_difference(p + step_m * float(k), z);
-            if (delta >= p_full_threshold_m) break;
-        }
-        sum += sample_accessibility(delta);
-    }
+#define ADD(point) sum += march_accessibility(p, sample_offset(point, r, n), z);
+    FOR_EACH_POINT(ADD)
     return sum / float(SAMPLES);
 }
 

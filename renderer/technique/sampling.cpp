@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/technique/sampling.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -40,7 +42,13 @@ std::vector<glm::vec3> ball_kernel(int count) {
 
 NumberTable rotation_table() { return {"rotations", kTileSize, kTileSize, rotation_tile()}; }
 
-NumberTable ball_table(int count) { return {"kernel", count, 1, ball_kernel(count)}; }
+std::string points_define(const std::vector<glm::vec3>& points) {
+    std::string text = "FOR_EACH_POINT(DO)";
+    for (const glm::vec3& point : points) {
+        text += fmt::format(" DO(vec3({}, {}, {}))", point.x, point.y, point.z);
+    }
+    return text;
+}
 
 Step accessibility_step(const Variant& variant, const std::string& shader,
                         const std::vector<Read>& reads, int fetches) {

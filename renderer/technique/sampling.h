@@ -19,9 +19,13 @@ namespace obscura::renderer {
 /// sphere (spherical Fibonacci points), lengths spread evenly from 1/2 to 1.
 [[nodiscard]] std::vector<glm::vec3> ball_kernel(int count);
 
-/// The same as tables of a recipe: `rotations` of kTileSize x kTileSize, `kernel` of count x 1.
+/// The tile as a table of a recipe: `rotations`, kTileSize x kTileSize.
 [[nodiscard]] NumberTable rotation_table();
-[[nodiscard]] NumberTable ball_table(int count);
+
+/// A step's define that makes points constants of its program: FOR_EACH_POINT(DO) is DO(vec3(...))
+/// for one after the other, to the last bit. What every pixel reads alike costs no texture read,
+/// and no driver has to be trusted to unroll a loop.
+[[nodiscard]] std::string points_define(const std::vector<glm::vec3>& points);
 
 /// A step that writes accessibility by a shader that ends in passes/accessibility.glsl, with the
 /// number of samples as the define SAMPLES.

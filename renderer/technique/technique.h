@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/model/model.h"
 #include "renderer/recipe/recipe.h"
-#include "renderer/technique/model.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::renderer {

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/technique/view_space.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
 #include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
@@ -21,13 +26,34 @@ std::vector<Parameter> view_space_parameters() {
     };
 }
 
+namespace {
+
+/// How often a number is squared to give its power, where that is all it takes: quicker than pow()
+/// and nearer to the truth.
+std::optional<int> squarings_of(const Variant& variant) {
+    constexpr int kMost = 8;
+    const Technique& technique = *find_technique(variant.technique);
+    const double power = variant.value_of(*technique.find_parameter("power"));
+    int exponent = 0;
+    if (std::frexp(power, &exponent) != 0.5 || exponent < 1 || exponent > kMost + 1) return {};
+    return exponent - 1;
+}
+
+}  // namespace
+
 Recipe view_space_recipe(const Variant& variant, const std::string& shader, int depths_per_sample) {
     Recipe recipe;
-    recipe.tables = {rotation_table(), ball_table(variant.samples)};
-    // Each sample's depths and point of the ball; the pixel's own depth, normal and rotation.
+    recipe.tables = {rotation_table()};
+    // Each sample's depths; the pixel's own depth, normal and rotation.
     recipe.steps = {accessibility_step(variant, shader,
-                                       {Target::kDepth, Target::kNormal, "rotations", "kernel"},
-                                       variant.samples * (depths_per_sample + 1) + 3)};
+                                       {Target::kDepth, Target::kNormal, "rotations"},
+                                       variant.samples * depths_per_sample + 3)};
+    std::vector<std::string>& defines = recipe.steps.front().defines;
+    defines.push_back(points_define(ball_kernel(variant.samples)));
+    if (const std::optional<int> squarings = squarings_of(variant)) {
+        defines.push_back(fmt::format("p_power {:.1f}", std::ldexp(1.0, *squarings)));
+        defines.push_back(fmt::format("SQUARINGS {}", *squarings));
+    }
     return recipe;
 }
 

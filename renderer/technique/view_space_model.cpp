@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
+#include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/sampling.h"
-#include "renderer/technique/seen_buffers.h"
 #include "renderer/technique/view_space.h"
 
 namespace obscura::renderer {

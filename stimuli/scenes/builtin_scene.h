@@ -8,7 +8,7 @@
 
 #include "renderer/light/lighting.h"
 #include "renderer/scene/scene.h"
-#include "stimuli/validity.h"
+#include "stimuli/scenes/validity.h"
 
 namespace obscura::stimuli {
 

@@ -9,7 +9,7 @@
 #include "renderer/light/lighting.h"
 #include "renderer/scene/scene.h"
 #include "stimuli/scenes/open_scene.h"
-#include "stimuli/validity.h"
+#include "stimuli/scenes/validity.h"
 
 namespace obscura::stimuli {
 

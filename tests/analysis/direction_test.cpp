@@ -234,7 +234,7 @@ TEST(Direction, OneRowTheOtherWayRoundLeavesTheVerdictAsItIs) {
     const json h1 = json::parse(report_of(true))["hypotheses"]["H1"];
     EXPECT_EQ(h1["count_b"], 20);
     EXPECT_EQ(h1["n"], 24);
-    EXPECT_EQ(h1["verdict"], "evidence for");
+    EXPECT_EQ(h1["verdict"], "B preferred over A");
 }
 
 TEST(Direction, OfAStudyIsTheStudysOwnDefinition) {

@@ -124,7 +124,7 @@ TEST(H3, OfPeopleWhoNeverChangedTheAnswerLeavesOpenWhatSoFewCannotShow) {
     EXPECT_NEAR(difference.interval.high, 1.0 - std::pow(.025, .1), 1e-12);
     EXPECT_NEAR(difference.interval.low, -difference.interval.high, 1e-15);
     EXPECT_EQ(analysis.verdicts.back().hypothesis, "H3");
-    EXPECT_EQ(analysis.verdicts.back().conclusion, Conclusion::kTooFew);
+    EXPECT_EQ(analysis.verdicts.back().conclusion, Conclusion::kUndecided);
     EXPECT_THAT(analysis.verdicts.back().sentence,
                 AllOf(HasSubstr("McNemar's exact test on the same 10 participants, nobody changed "
                                 "the answer, p 1.000000"),
@@ -182,7 +182,7 @@ TEST(H3, WhereNothingHasAPartnerIsNotTestedAndSaysWhy) {
     add_condition(one_level, "V", "atrium-high", "high", 6);
     EXPECT_EQ(one_level.analysed().verdicts.back().sentence,
               "H3: not tested. The study shows no two variants at two levels of validity.");
-    EXPECT_EQ(one_level.analysed().verdicts[0].tests, 1U) << "it enters no correction";
+    EXPECT_EQ(one_level.analysed().verdicts[0].tests, 2U) << "what cannot be tested counts too";
 }
 
 TEST(H3, IsAskedOnlyWhereTheStudyAsksAndAStudysOwnLabelStaysItsOwn) {
@@ -203,7 +203,9 @@ TEST(H3, IsAskedOnlyWhereTheStudyAsksAndAStudysOwnLabelStaysItsOwn) {
     ASSERT_EQ(asked.verdicts.size(), 2U);
     EXPECT_EQ(asked.verdicts[0].hypothesis, "H3");
     EXPECT_EQ(asked.verdicts[1].hypothesis, "validity");
-    EXPECT_EQ(asked.verdicts[1].conclusion, Conclusion::kEvidenceFor);
+    EXPECT_EQ(asked.verdicts[1].conclusion, Conclusion::kDiffers);
+    EXPECT_THAT(asked.verdicts[1].sentence,
+                HasSubstr("the effect differs with lighting, B more often at "));
     EXPECT_EQ(asked.verdicts[1].tests, 2U);
     const json report = json::parse(json_report(asked));
     EXPECT_EQ(report["validity_question"], "validity");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "analysis/measurement/order_of_techniques.h"
 #include "analysis/measurement/pareto.h"
 #include "analysis/measurement/report.h"
+#include "analysis/statistics/quantile.h"
 #include "analysis/table/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -105,11 +107,27 @@ TEST(FinalImageErrors, ThePerceptualMetricSeesAnInvertedPictureAndNotOneCodeValu
 }
 
 TEST(Quantiles, InterpolateBetweenOrderStatistics) {
-    EXPECT_DOUBLE_EQ(quantile({5.0}, 0.95), 5.0);
-    EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-    EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
-    EXPECT_DOUBLE_EQ(quantile({0.0, 10.0}, 0.95), 9.5);
+    const auto of = [](std::vector<double> sample, double share) {
+        return quantile(sample, share);
+    };
+    EXPECT_DOUBLE_EQ(of({5.0}, 0.95), 5.0);
+    EXPECT_DOUBLE_EQ(of({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+    EXPECT_DOUBLE_EQ(of({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+    EXPECT_DOUBLE_EQ(of({0.0, 10.0}, 0.95), 9.5);
     EXPECT_EQ(summary_of({}).median_ms, 0.0);
+}
+
+TEST(Quantiles, AreTheSameOfASampleInAnyOrder) {
+    base::Random random(11);
+    for (const std::size_t n : {1U, 2U, 3U, 10U, 101U}) {
+        std::vector<double> sample;
+        for (std::size_t i = 0; i < n; ++i) sample.push_back(random.uniform(-1.0, 1.0));
+        std::vector<double> sorted = sample;
+        std::sort(sorted.begin(), sorted.end());
+        for (const double share : {0.0, 0.05, 0.25, 0.5, 0.77, 0.99, 1.0}) {
+            EXPECT_EQ(quantile(sample, share), quantile_of_sorted(sorted, share)) << n;
+        }
+    }
 }
 
 TEST(ParetoFront, HoldsExactlyWhatNoOtherChoiceBeats) {
@@ -205,7 +223,7 @@ MeasurementRow row_of(const std::string& technique, const std::string& variant, 
     row.technique = technique;
     row.variant = variant;
     row.samples = samples;
-    row.blur = "separable";
+    row.denoise = "separable";
     row.depth_format = "r32f";
     row.noise = "tile4x4";
     row.width = 64;
@@ -326,7 +344,7 @@ TEST(Reports, HoldEveryTableAndOnePageThatStandsAlone) {
     MeasurementReport report;
     report.title = "Speed against error";
     report.device = "a device";
-    report.blur = "separable";
+    report.denoise = "separable";
     report.asks_order = true;
     report.rows = three_rows();
     report.hard_cases = {{"1 planes", "crytek", "A", 1.0, 1.0, 0.0, Holds::kYes, ""}};

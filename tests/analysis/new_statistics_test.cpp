@@ -6,12 +6,16 @@
 #include <numbers>
 
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/fisher_exact.h"
+#include "analysis/statistics/group_permutation.h"
 #include "analysis/statistics/hard_cases.h"
+#include "analysis/statistics/mean_test.h"
 #include "analysis/statistics/preference_curve.h"
 #include "analysis/statistics/resampling.h"
 #include "analysis/statistics/share_difference.h"
 #include "analysis/statistics/sign_flip.h"
 #include "renderer/base/error.h"
+#include "renderer/base/random.h"
 #include "tests/analysis/edge_inputs.h"
 
 namespace obscura::analysis {
@@ -182,6 +186,89 @@ TEST(PreferenceCurve, SaysSeparationAndOpenIntervals) {
     for (const Votes& votes : tests::kImpossibleVotes) {
         EXPECT_THROW((void)preference_curve({{"I", "", 1.0, votes}}), base::Error);
     }
+}
+
+TEST(MeanTest, MeetsDarwinsMaize) {
+    // R: t.test(c(49, -67, ...)): t = 2.148, df = 14, p-value = 0.0497, 0.03119332 to 41.83547335.
+    const std::vector<double> maize{49, -67, 8, 16, 6, 23, 28, 41, 14, 29, 56, 24, 75, 60, -48};
+    const auto test = mean_test(maize);
+    EXPECT_EQ(test->n, 15);
+    EXPECT_NEAR(test->p.p, .049703, 5e-7);
+    EXPECT_NEAR(test->interval.low, .03119332, 5e-8);
+    EXPECT_NEAR(test->interval.high, 41.83547335, 5e-8);
+}
+
+TEST(MeanTest, HasNoValueWhereNothingVaries) {
+    EXPECT_EQ(mean_test({}).reason, "fewer than two participants");
+    EXPECT_EQ(mean_test({.5}).reason, "fewer than two participants");
+    EXPECT_EQ(mean_test({.5, .5, .5}).reason, "all participants gave the same");
+    EXPECT_THROW((void)mean_test({.5, std::nan("")}), base::Error);
+    EXPECT_THROW((void)mean_test({.5, .7}, 1.0), base::Error);
+}
+
+/// How often the 90 % interval of the mean share of three answers each lies within .35 to .65.
+double equal_in(int participants, double share, std::uint64_t seed) {
+    constexpr int kStudies = 4000;
+    base::Random random(seed);
+    int equal = 0;
+    for (int study = 0; study < kStudies; ++study) {
+        std::vector<double> shares;
+        for (int who = 0; who < participants; ++who) {
+            int chosen = 0;
+            for (int i = 0; i < 3; ++i) chosen += random.uniform(0.0, 1.0) < share ? 1 : 0;
+            shares.push_back(chosen / 3.0);
+        }
+        const auto test = mean_test(shares, .90);
+        if (test.has_value() && test->interval.low > .35 && test->interval.high < .65) ++equal;
+    }
+    return static_cast<double>(equal) / kStudies;
+}
+
+TEST(MeanTest, SaysPracticallyEqualFalselyInAtMostOneOfTwenty) {
+    // By adding up every outcome of 12 and of 36: of a share of .65 in 2.50 and 4.27 %, of one half
+    // in 12.0 and 84.2 %.
+    struct Case {
+        int participants;
+        double falsely, rightly;
+    };
+    for (const Case& known : {Case{12, .0250, .120}, {36, .0427, .842}, {120, .0465, 1.0}}) {
+        const auto seed = static_cast<std::uint64_t>(known.participants);
+        EXPECT_NEAR(equal_in(known.participants, .65, seed), known.falsely, .010);
+        EXPECT_NEAR(equal_in(known.participants, .50, seed), known.rightly, .018);
+    }
+}
+
+TEST(GroupPermutation, IsTheShareOfAllWaysToPartThem) {
+    // Sums of two of 3, 5, 1, 2: 8, 4, 5, 6, 7, 3, expected 5.5; 8 and 3 are as far from it as 8.
+    EXPECT_NEAR(group_permutation({3, 5}, {1, 2})->p.p, 2.0 / 6.0, 1e-12);
+    EXPECT_NEAR(group_permutation({1, 2}, {3, 5})->p.p, 2.0 / 6.0, 1e-12);
+    // 0 and 1 only: Fisher's exact test of 8:2 against 1:9 has the same parting.
+    std::vector<std::int64_t> one(10, 0);
+    std::vector<std::int64_t> other(10, 0);
+    std::fill_n(one.begin(), 8, 1);
+    std::fill_n(other.begin(), 1, 1);
+    EXPECT_NEAR(group_permutation(one, other)->p.p, fisher_exact({2, 8}, {9, 1})->p, 1e-12);
+    EXPECT_EQ(group_permutation({}, {1, 2}).reason, "one of the groups is empty");
+    EXPECT_EQ(group_permutation({2, 2}, {2}).reason, "all participants gave the same");
+    EXPECT_THROW((void)group_permutation({-1}, {2}), base::Error);
+}
+
+TEST(GroupPermutation, IsNearlyTheSameByTheNormalApproximation) {
+    base::Random random(5);
+    std::vector<std::int64_t> one;
+    std::vector<std::int64_t> other;
+    for (int i = 0; i < 60; ++i) {
+        one.push_back(static_cast<std::int64_t>(random.uniform(0.0, 8.0)));
+        other.push_back(static_cast<std::int64_t>(random.uniform(0.0, 7.0)));
+    }
+    const auto exact = group_permutation(one, other);
+    ASSERT_TRUE(exact->is_exact);
+    for (auto* group : {&one, &other}) {
+        for (std::int64_t& number : *group) number *= 1000;
+    }
+    const auto nearly = group_permutation(one, other);
+    EXPECT_FALSE(nearly->is_exact);
+    EXPECT_NEAR(nearly->p.p, exact->p.p, .04);  // sums of the exact one go in steps
 }
 
 }  // namespace

@@ -122,24 +122,25 @@ TEST(Learning, FindsTheTrendThatIsThere) {
     EXPECT_TRUE(analysis.learning->choice.has_value()) << analysis.learning->choice.reason;
 }
 
-TEST(Verdicts, OfThePublishedVotesSayThatTheyAreTooFew) {
+TEST(Verdicts, OfThePublishedVotesAreUndecided) {
     const Analysis analysis =
         analyse(read_counts(OBSCURA_SOURCE_DIR "/analysis/data/jakobsen2010.csv"));
     ASSERT_EQ(analysis.verdicts.size(), 3U);
     for (const Verdict& verdict : analysis.verdicts) {
-        EXPECT_EQ(verdict.conclusion, Conclusion::kTooFew) << verdict.sentence;
-        EXPECT_THAT(verdict.sentence, HasSubstr("too few participants to say"));
+        EXPECT_EQ(verdict.conclusion, Conclusion::kUndecided) << verdict.sentence;
+        EXPECT_THAT(verdict.sentence, HasSubstr(": undecided. "));
     }
-    EXPECT_THAT(analysis.verdicts[0].sentence, AllOf(HasSubstr("p 0.123658"), HasSubstr("380")));
+    EXPECT_THAT(analysis.verdicts[0].sentence,
+                AllOf(HasSubstr("exact binomial test p 0.148576"), Not(HasSubstr("needed"))));
     EXPECT_THAT(
         analysis.verdicts[2].sentence,
-        AllOf(HasSubstr("in Sponza over moderate, high (III, VI): chi-square 2.829, df 1, p "
-                        "0.092565"),
-              HasSubstr("p 0.457710"), Not(HasSubstr("0.157894")),
+        AllOf(HasSubstr("in Sponza over moderate, high (III, VI): Fisher's exact p 0.148839, "
+                        "chi-square 2.829, df 1, p 0.092565"),
+              HasSubstr("p 0.621034"), Not(HasSubstr("0.157894")),
               HasSubstr("I, IV and VII have no partner")));
     EXPECT_EQ(analysis.verdicts[0].tests, 4U);
-    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .092565, 1e-5) << "the smallest of four";
-    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 3 * .1236577, 1e-5) << "the next";
+    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 4 * .1485763, 1e-5) << "the smallest of four";
+    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .1485763, 1e-5) << "the next, 3 * .148839";
     EXPECT_THAT(text_report(analysis), HasSubstr("Holm's correction for 7 tests: none."));
     EXPECT_EQ(analysis.power->n, 36);
     EXPECT_NEAR(analysis.power->shares[1].exact.power, .3563, 5e-5);
@@ -159,11 +160,15 @@ Verdict verdict_on(int observers, int of_ten) {
 }
 
 TEST(Verdicts, FollowTheirRule) {
-    EXPECT_EQ(verdict_on(100, 7).conclusion, Conclusion::kEvidenceFor);
-    EXPECT_EQ(verdict_on(100, 3).conclusion, Conclusion::kEvidenceAgainst);
-    EXPECT_EQ(verdict_on(100, 5).conclusion, Conclusion::kNoEvidence);
-    EXPECT_EQ(verdict_on(8, 5).conclusion, Conclusion::kTooFew);
-    EXPECT_EQ(verdict_on(1, 9).conclusion, Conclusion::kTooFew);
+    EXPECT_EQ(verdict_words(verdict_on(100, 7)), "B preferred over A");
+    EXPECT_EQ(verdict_words(verdict_on(100, 3)), "A preferred over B");
+    EXPECT_EQ(verdict_words(verdict_on(100, 6)),
+              "B preferred over A by less than the relevant 15 points");
+    EXPECT_EQ(verdict_words(verdict_on(100, 4)),
+              "A preferred over B by less than the relevant 15 points");
+    EXPECT_EQ(verdict_words(verdict_on(100, 5)), "practically equal (within 15 points)");
+    EXPECT_EQ(verdict_words(verdict_on(8, 5)), "undecided");
+    EXPECT_EQ(verdict_words(verdict_on(1, 9)), "undecided");
 }
 
 TEST(Resampling, OfTheSameAnswersGivesTheSameIntervals) {

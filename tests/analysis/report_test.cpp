@@ -11,6 +11,7 @@
 #include "analysis/counts_file.h"
 #include "analysis/presentation/json_report.h"
 #include "analysis/presentation/text_report.h"
+#include "analysis/statistics/exact_binomial.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/analysis/table_4.h"
@@ -63,7 +64,7 @@ TEST(JsonReport, GivesTable4OfJakobsen2010) {
                                                                    {"wilson_low", row.wilson_low},
                                                                    {"wilson_high", row.wilson_high},
                                                                    {"cohens_g", row.cohens_g},
-                                                                   {"p_holm", row.p_holm}}) {
+                                                                   {"p_holm", row.p_exact_holm}}) {
             EXPECT_NEAR(condition[name].get<double>(), value, 1e-6) << name;
         }
     }
@@ -82,7 +83,7 @@ TEST(JsonReport, AnswersTheHypotheses) {
     EXPECT_NEAR(h1["p_value"].get<double>(), .123658, 1e-6);
     EXPECT_EQ(h1["n_significant"], 1);
     EXPECT_EQ(h1["n_significant_holm"], 0);
-    EXPECT_EQ(hypotheses["H2"]["count_b"], 81);
+    EXPECT_EQ(hypotheses["H2"]["count_b"], 61) << "IV is secondary";
 
     const json& h3 = hypotheses["H3"];
     // Like with like: the same two variants in the same scene at two levels.
@@ -130,6 +131,31 @@ TEST(JsonReport, SaysWhyAValueIsMissing) {
     EXPECT_TRUE(report["validity_question"].is_null());
     EXPECT_EQ(report["validity_question_reason"], "the study does not ask it");
     EXPECT_THAT(report.dump(), Not(HasSubstr("nan")));
+}
+
+TEST(JsonReport, CorrectsForEveryTestOfTheStudyWhoeverAnswered) {
+    const Analysis analysis = analyse(parse_counts(
+        kReportHeader + "I,H1,low,A,B,11,25\nII,H2,low,A,B,0,0\nIII,H3,low,A,B,18,18\n",
+        "votes.csv"));
+    const double p = exact_binomial(25, 36)->p;
+    EXPECT_NEAR(*analysis.conditions[0].p_holm, 3.0 * p, 1e-15);
+    ASSERT_EQ(analysis.verdicts.size(), 3U);
+    EXPECT_EQ(analysis.verdicts[0].tests, 3U);
+    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 3.0 * p, 1e-15);
+    EXPECT_EQ(analysis.verdicts[1].conclusion, Conclusion::kNotTested);
+    EXPECT_FALSE(analysis.verdicts[1].p_holm.has_value());
+}
+
+TEST(JsonReport, LeavesTheSecondaryConditionOfTheBuiltInStudyOutOfItsHypothesis) {
+    const Analysis analysis = of_published_votes();
+    const HypothesisResult& h2 = analysis.hypotheses.at(1);
+    EXPECT_EQ(h2.conditions, (std::vector<std::string>{"I", "III", "VI"}));
+    EXPECT_EQ(h2.secondary, std::vector<std::string>{"IV"});
+    EXPECT_EQ(h2.pooled.votes.a, 47);
+    EXPECT_THAT(h2.sentence, HasSubstr("IV is secondary and no part of it."));
+    const Analysis other = analyse(
+        parse_counts(kReportHeader + "III,H2,low,A,B,11,25\nIV,H2,low,A,B,16,20\n", "votes.csv"));
+    EXPECT_EQ(other.hypotheses.at(0).conditions, (std::vector<std::string>{"III", "IV"}));
 }
 
 TEST(TextReport, IsATableWithItsTestsInWords) {

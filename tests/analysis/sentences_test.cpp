@@ -42,8 +42,7 @@ bool has(const std::string& text, const std::string& words) {
 /// A verdict on pooled votes, read again.
 void check_share(const Verdict& verdict, const Votes& votes) {
     const std::string& text = verdict.sentence;
-    const std::string said =
-        fmt::format("{}: {}. ", verdict.hypothesis, to_string(verdict.conclusion));
+    const std::string said = fmt::format("{}: {}. ", verdict.hypothesis, verdict_words(verdict));
     EXPECT_TRUE(text.starts_with(said)) << text;
     if (votes.n() == 0) {
         EXPECT_EQ(verdict.conclusion, Conclusion::kNotTested) << text;
@@ -60,27 +59,31 @@ void check_share(const Verdict& verdict, const Votes& votes) {
     EXPECT_LT(ends[0], ends[1]) << "an interval is no point: " << text;
     EXPECT_LE(ends[0], counts[2]) << text;
     EXPECT_GE(ends[1], counts[2]) << text;
-    const bool reaches_a = ends[0] <= 35.0;
-    const bool reaches_b = ends[1] >= 65.0;
-    EXPECT_EQ(has(text, "leaves a share of either image of 65 % or more possible"),
-              verdict.conclusion == Conclusion::kTooFew && reaches_a && reaches_b)
-        << text;
-    EXPECT_EQ(has(text, "leaves a share of B of 65 % or more possible"),
-              verdict.conclusion == Conclusion::kTooFew && !reaches_a && reaches_b)
-        << text;
-    EXPECT_EQ(has(text, "leaves a share of A of 65 % or more possible"),
-              verdict.conclusion == Conclusion::kTooFew && reaches_a && !reaches_b)
-        << text;
-    EXPECT_EQ(has(text, "excludes shares of 65 % or more of either image"),
-              verdict.conclusion == Conclusion::kNoEvidence)
-        << text;
+    const auto inner = numbers_of(text, R"(90 % interval ([\d.]+) to ([\d.]+) %)");
+    ASSERT_EQ(inner.size(), 2U) << text;
+    EXPECT_LT(inner[0], inner[1]) << "an interval is no point: " << text;
+    EXPECT_LE(inner[0], counts[2] + kHalfOfLastDigit) << text;
+    EXPECT_GE(inner[1], counts[2] - kHalfOfLastDigit) << text;
+    const bool reaches_a = inner[0] <= 35.0;
+    const bool reaches_b = inner[1] >= 65.0;
+    const bool is_within = !reaches_a && !reaches_b;
     ASSERT_TRUE(verdict.p_holm.has_value()) << text;
     const bool is_tested = *verdict.p_holm < kSignificance;
-    EXPECT_EQ(verdict.conclusion == Conclusion::kEvidenceFor, is_tested && votes.b > votes.a);
-    EXPECT_EQ(verdict.conclusion == Conclusion::kEvidenceAgainst, is_tested && votes.b < votes.a);
-    if (!is_tested) {
-        EXPECT_EQ(verdict.conclusion == Conclusion::kTooFew, reaches_a || reaches_b) << text;
-    }
+    EXPECT_EQ(has(text, "leaves a share of either image of 65 % or more possible"),
+              !is_tested && reaches_a && reaches_b)
+        << text;
+    EXPECT_EQ(has(text, "leaves a share of B of 65 % or more possible"),
+              !is_tested && !reaches_a && reaches_b)
+        << text;
+    EXPECT_EQ(has(text, "leaves a share of A of 65 % or more possible"),
+              !is_tested && reaches_a && !reaches_b)
+        << text;
+    EXPECT_EQ(has(text, "excludes shares of 65 % or more of either image"), is_within) << text;
+    EXPECT_EQ(verdict.conclusion == Conclusion::kBPreferred, is_tested && votes.b > votes.a);
+    EXPECT_EQ(verdict.conclusion == Conclusion::kAPreferred, is_tested && votes.b < votes.a);
+    EXPECT_EQ(verdict.conclusion == Conclusion::kEqual, !is_tested && is_within) << text;
+    EXPECT_EQ(verdict.conclusion == Conclusion::kUndecided, !is_tested && !is_within) << text;
+    EXPECT_EQ(has(text, "by less than the relevant 15 points"), is_tested && is_within) << text;
 }
 
 /// A verdict on validity over two levels, read again. `changed` of `n` participants did.
@@ -99,24 +102,32 @@ void check_difference(const Verdict& verdict, const Votes& changed, std::int64_t
             has(text, fmt::format("{} changed from B to A, {} from A to B", changed.a, changed.b)))
             << text;
     }
-    if (verdict.conclusion == Conclusion::kEvidenceFor) {
-        EXPECT_LT(*verdict.p_holm, kSignificance) << text;
-        return;
-    }
+    const bool is_tested = *verdict.p_holm < kSignificance;
+    EXPECT_EQ(verdict.conclusion == Conclusion::kDiffers, is_tested) << text;
+    EXPECT_EQ(has(text, "B more often at high than at moderate"),
+              is_tested && changed.b > changed.a)
+        << text;
+    EXPECT_EQ(has(text, "B more often at moderate than at high"),
+              is_tested && changed.b < changed.a)
+        << text;
     const auto numbers = numbers_of(
         text,
-        R"(changes by ([+-][\d.]+) points .* \(95 % interval ([+-][\d.]+) to ([+-][\d.]+)\))");
-    ASSERT_EQ(numbers.size(), 3U) << text;
+        R"(changes by ([+-][\d.]+) points .* \(95 % interval ([+-][\d.]+) to ([+-][\d.]+), 90 % interval ([+-][\d.]+) to ([+-][\d.]+)\))");
+    ASSERT_EQ(numbers.size(), 5U) << text;
     const double difference =
         100.0 * static_cast<double>(changed.b - changed.a) / static_cast<double>(n);
     EXPECT_NEAR(numbers[0], difference, kHalfOfLastDigit) << text;
     EXPECT_LT(numbers[1], numbers[2]) << "an interval is no point: " << text;
     EXPECT_LE(numbers[1], numbers[0] + kHalfOfLastDigit) << text;
     EXPECT_GE(numbers[2], numbers[0] - kHalfOfLastDigit) << text;
-    const bool reaches = std::max(-numbers[1], numbers[2]) >= 15.0;
+    EXPECT_LE(numbers[1], numbers[3]) << text;
+    EXPECT_GE(numbers[2], numbers[4]) << text;
+    const bool reaches = std::max(-numbers[3], numbers[4]) >= 15.0;
     EXPECT_EQ(has(text, "leaves a difference of 15 points or more possible"), reaches) << text;
     EXPECT_EQ(has(text, "excludes a difference of 15 points or more"), !reaches) << text;
-    EXPECT_EQ(verdict.conclusion, reaches ? Conclusion::kTooFew : Conclusion::kNoEvidence) << text;
+    EXPECT_EQ(verdict.conclusion == Conclusion::kUndecided, !is_tested && reaches) << text;
+    EXPECT_EQ(verdict.conclusion == Conclusion::kSame, !is_tested && !reaches) << text;
+    EXPECT_EQ(has(text, "by less than the relevant 15 points"), is_tested && !reaches) << text;
     if (changed.n() == 0) {
         const double exact = 100.0 * (1.0 - std::pow(.025, 1.0 / static_cast<double>(n)));
         EXPECT_NEAR(numbers[2], exact, kHalfOfLastDigit) << text;

@@ -191,6 +191,38 @@ TEST(Wilson, RefusesConfidencesThatCannotBe) {
     EXPECT_THROW((void)wilson(3, 2), base::Error);
 }
 
+/// The chance that Holm's correction of `tests` true nulls with n votes each rejects any: its first
+/// step decides.
+template <typename PValueOf>
+double familywise_error(std::int64_t n, int tests, PValueOf p_of) {
+    double size = 0.0;
+    for (std::int64_t b = 0; b <= n; ++b) {
+        if (p_of(b) * tests >= .05) continue;
+        const auto count = static_cast<double>(n);
+        const auto chosen = static_cast<double>(b);
+        size += std::exp(std::lgamma(count + 1.0) - std::lgamma(chosen + 1.0) -
+                         std::lgamma(count - chosen + 1.0) - count * std::numbers::ln2);
+    }
+    return 1.0 - std::pow(1.0 - size, tests);
+}
+
+TEST(Holm, KeepsItsLevelOverExactTestsAndNotOverChiSquare) {
+    for (const auto& [n, by_chi_square] :
+         {std::pair(11, .079), {31, .072}, {42, .054}, {36, .027}}) {
+        const std::int64_t votes = n;
+        EXPECT_NEAR(familywise_error(n, 7,
+                                     [&](std::int64_t b) {
+                                         return chi_square_equal_split({votes - b, b})->p.p;
+                                     }),
+                    by_chi_square, 5e-4)
+            << n;
+        EXPECT_LE(
+            familywise_error(n, 7, [&](std::int64_t b) { return exact_binomial(b, votes)->p; }),
+            .05)
+            << n;
+    }
+}
+
 TEST(Holm, MeetsTheExample) {
     EXPECT_THAT(holm({.01, .04, .03, .005}),  // R: p.adjust(..., "holm")
                 ElementsAre(DoubleNear(.03, 1e-12), DoubleNear(.06, 1e-12), DoubleNear(.06, 1e-12),

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer/gl/context.h"
+#include "renderer/hard_cases/agreement.h"
 #include "renderer/hard_cases/bench.h"
 #include "renderer/passes/shared_constants.h"
 #include "tests/support/test_scenes.h"
@@ -225,6 +226,31 @@ TEST_F(Techniques, RaymarchFindsAnOccluderThatBlizzardStepsOver) {
         ++index;
     }
     EXPECT_LT(mean[1], mean[0] - 0.02);
+}
+
+TEST_F(Techniques, AnyPowerAndAnyLensShiftAreAsDefined) {
+    // Powers of 2 are squared, others are left to pow(); the frustum may lie off its centre.
+    Scene scene = facing_wall(5.0F);
+    tests::add_quad(scene, {-0.5F, -0.6F, -4.8F}, {1.0F, 0.0F, 0.3F}, {0.1F, 1.0F, -0.2F});
+    for (const std::string technique : {"blizzard", "raymarch"}) {
+        for (const double power : {0.0, 0.5, 1.0, 2.0, 3.0, 16.0, 17.5, 256.0, 512.0}) {
+            for (const float shift : {0.0F, 0.4F}) {
+                Variant choice = choice_of(technique);
+                choice.parameters = {{"power", power}, {"full_threshold_m", 0.0}};
+                Camera camera = forward_camera();
+                camera.lens_shift = {shift, -0.5F * shift};
+                const Frame frame = render(scene, choice, 64, 48, camera);
+                const SeenBuffers buffers = seen_buffers(frame, camera);
+                const Model& model = find_technique(technique)->model;
+                const Agreement agreement =
+                    agreement_of(admitted_by(model(buffers, choice), buffers),
+                                 frame.read_floats(Target::kAccessibility), 64, technique);
+                EXPECT_EQ(agreement.off, 0U) << technique << ", power " << power << ", shift "
+                                             << shift << ": " << agreement.worst.where;
+                EXPECT_LT(agreement.uncertain, agreement.pixels / 10);
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
 
 namespace obscura::app::kiosk {

@@ -5,7 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
 
 namespace obscura::app::kiosk {

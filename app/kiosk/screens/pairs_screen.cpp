@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
 
 namespace obscura::app::kiosk {

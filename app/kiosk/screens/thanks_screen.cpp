@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
 
 namespace obscura::app::kiosk {

@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "app/kiosk/page_check.h"
-#include "app/kiosk/screens/screens.h"
+#include "app/kiosk/screens.h"
 #include "app/kiosk/stage.h"
 #include "app/kiosk/theme.h"
 #include "tests/app/kiosk/small_study.h"

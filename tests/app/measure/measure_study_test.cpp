@@ -147,7 +147,7 @@ TEST_F(MeasuredStudy, GivesEverySettingThatIsShownARowHeldAgainstItsOwnRadius) {
         std::map<std::string, std::string> shown;
         for (const analysis::MeasurementRow& row : report.rows) {
             if (row.published.empty()) continue;
-            EXPECT_TRUE(shown.emplace(row.variant + ' ' + row.blur, row.published).second)
+            EXPECT_TRUE(shown.emplace(row.variant + ' ' + row.denoise, row.published).second)
                 << row.variant;
             EXPECT_EQ(row.reference_radius_m, row.parameters.at("radius_m"));
             EXPECT_EQ(row.values, "published");

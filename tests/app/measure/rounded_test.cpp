@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "renderer/technique/rounded.h"
+#include "renderer/model/rounded.h"
 
 #include <gtest/gtest.h>
 

@@ -82,6 +82,14 @@ inline Rounded inverse_sqrt(const Rounded& a) {
     return {value, error + 2.0 * kUlp * (value + error)};
 }
 
+/// sqrt(a) of 0 <= a, promised as 1 / inversesqrt(a).
+inline Rounded sqrt(const Rounded& a) {
+    const double value = std::sqrt(std::max(a.value, 0.0));
+    const double error = std::max(std::sqrt(std::max(a.high(), 0.0)) - value,
+                                  value - std::sqrt(std::max(a.low(), 0.0)));
+    return {value, error + 4.5 * kUlp * (value + error)};
+}
+
 /// a^power of 0 < a as exp2(power * log2(a)): log2 is promised to 2^-21 between 1/2 and 2 and to 3
 /// units in the last place elsewhere, exp2(t) to 3 + 2 |t| of them.
 inline Rounded pow(const Rounded& a, const Rounded& power) {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer/model/rounded.h"
 #include "renderer/scene/scene.h"
-#include "renderer/technique/rounded.h"
 
 namespace obscura::renderer {
 
@@ -30,7 +30,7 @@ struct SeenBuffers {
     [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
 };
 
-/// A place in the image, from 0 to 1.
+/// A place in the image, from 0 to 1 or, where it says so, in pixels.
 struct ImagePoint {
     Rounded x;
     Rounded y;
@@ -63,14 +63,19 @@ class SeenView {
     /// Depths where a view-space point falls; very far behind the camera and outside the image.
     [[nodiscard]] SeenDepths depths_at(const Rounded3& point) const;
     [[nodiscard]] SeenDepths depths_at(const ImagePoint& place) const;
+    [[nodiscard]] SeenDepths depths_at_px(const ImagePoint& place_px) const;
     [[nodiscard]] Rounded3 normal(int x, int y) const;
+    /// View y per metre of depth and pixel.
+    [[nodiscard]] Rounded pixel() const {
+        return Rounded(2.0) * scale_y_ / Rounded(buffers_.height);
+    }
 
   private:
     const SeenBuffers& buffers_;
     Rounded scale_x_;  ///< view x per metre of depth at the right border
     Rounded scale_y_;
-    Rounded to_clip_x_;  ///< the projection's diagonal
-    Rounded to_clip_y_;
+    ImagePoint ray_to_px_;  ///< pixels per view x, y per metre of depth
+    ImagePoint axis_px_;    ///< where the view's axis meets the image, in pixels
 };
 
 }  // namespace obscura::renderer

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "renderer/technique/seen_buffers.h"
+#include "renderer/model/seen_buffers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace obscura::renderer {
 namespace {
 
-/// The texels along one side that `place` may fall on, clamped to the image.
+/// The texels along one side that a place in pixels may fall on, clamped to the image.
 struct Texels {
     int first = 0;
     int last = 0;
@@ -20,24 +20,23 @@ struct Texels {
     bool nominally_inside = true;
 };
 
-Texels texels_of(const Rounded& place, int size) {
+Texels texels_of(const Rounded& at, int size) {
     Texels texels;
-    if (!std::isfinite(place.value) || !std::isfinite(place.error)) {
+    if (!std::isfinite(at.value) || !std::isfinite(at.error)) {
         texels.last = size - 1;
         texels.may_be_outside = true;
         texels.nominally_inside = false;
         return texels;
     }
-    const Rounded at = place * Rounded(size);
     const auto texel = [size](double value) {
         return static_cast<int>(std::floor(std::clamp(value, 0.0, size - 1.0)));
     };
     texels.first = texel(at.low());
     texels.last = texel(at.high());
     texels.nominal = texel(at.value);
-    texels.nominally_inside = place.value >= 0.0 && place.value < 1.0;
-    texels.may_be_outside = !(place.low() >= 0.0 && place.high() < 1.0);
-    texels.may_be_inside = place.high() >= 0.0 && place.low() < 1.0;
+    texels.nominally_inside = at.value >= 0.0 && at.value < size;
+    texels.may_be_outside = !(at.low() >= 0.0 && at.high() < size);
+    texels.may_be_inside = at.high() >= 0.0 && at.low() < size;
     return texels;
 }
 
@@ -54,14 +53,20 @@ void SeenDepths::add(float depth_m) {
 }
 
 SeenView::SeenView(const SeenBuffers& buffers) : buffers_(buffers) {
-    // As renderer/frame/camera.cpp and glm::perspective compute them, in floats.
+    // As renderer/frame/camera.cpp and job.h compute them, in floats.
     const double half_rad = 0.5 * static_cast<double>(buffers.camera.vertical_fov_rad);
     const Rounded up = Rounded(std::tan(half_rad), 2.0 * kUlp * std::tan(half_rad));
     const Rounded aspect = Rounded(buffers.width) / Rounded(buffers.height);
     scale_x_ = up * aspect;
     scale_y_ = up;
-    to_clip_x_ = Rounded(1.0) / (aspect * up);
-    to_clip_y_ = Rounded(1.0) / up;
+    const Rounded half_x(0.5 * buffers.width);
+    const Rounded half_y(0.5 * buffers.height);
+    ray_to_px_ = {half_x / scale_x_, half_y / scale_y_};
+    const auto shift = [](float lens_shift, const Rounded& scale) {
+        return Rounded(lens_shift) * scale / scale;
+    };
+    axis_px_ = {half_x * (Rounded(1.0) - shift(buffers.camera.lens_shift.x, scale_x_)),
+                half_y * (Rounded(1.0) - shift(buffers.camera.lens_shift.y, scale_y_))};
 }
 
 ImagePoint SeenView::place_of(int x, int y) const {
@@ -91,19 +96,20 @@ SeenDepths SeenView::depths_at(const Rounded3& point) const {
         depths.nominal_m = kBackgroundDepth_m;
         if (!(w.value > kLeast_m)) return depths;
     }
-    const auto place = [&w](const Rounded& clip) { return clip / w * Rounded(0.5) + Rounded(0.5); };
-    const Rounded shift_x(buffers_.camera.lens_shift.x);
-    const Rounded shift_y(buffers_.camera.lens_shift.y);
-    SeenDepths found = depths_at(ImagePoint{place(to_clip_x_ * point.x + shift_x * point.z),
-                                            place(to_clip_y_ * point.y + shift_y * point.z)});
+    SeenDepths found = depths_at_px(ImagePoint{point.x * (ray_to_px_.x / w) + axis_px_.x,
+                                               point.y * (ray_to_px_.y / w) + axis_px_.y});
     found.any |= depths.any;
     return found;
 }
 
 SeenDepths SeenView::depths_at(const ImagePoint& place) const {
+    return depths_at_px({place.x * Rounded(buffers_.width), place.y * Rounded(buffers_.height)});
+}
+
+SeenDepths SeenView::depths_at_px(const ImagePoint& place_px) const {
     SeenDepths depths;
-    const Texels across = texels_of(place.x, buffers_.width);
-    const Texels up = texels_of(place.y, buffers_.height);
+    const Texels across = texels_of(place_px.x, buffers_.width);
+    const Texels up = texels_of(place_px.y, buffers_.height);
     depths.nominal_m = across.nominally_inside && up.nominally_inside
                            ? buffers_.depth_at(across.nominal, up.nominal)
                            : kBackgroundDepth_m;
