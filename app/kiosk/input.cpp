@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/input.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace obscura::app::kiosk {
@@ -18,7 +17,7 @@ constexpr int kLeftButton = 0;
 
 void Input::key_down(KeyPress press) {
     last_press_s_ = key_time_s_ = key_pressed_s_[press.key] = press.time_s;
-    strokes_.push_back({{press.key, press.modifiers, false, 0}, press.time_s});
+    waiting_.push_back(TimedStroke{{press.key, press.modifiers, false, 0}, press.time_s});
     key_may_type_ = true;
     keys_.push_back(std::move(press));
 }
@@ -26,63 +25,75 @@ void Input::key_down(KeyPress press) {
 void Input::key_repeats(int key, int modifiers) {
     const auto pressed = key_pressed_s_.find(key);
     key_time_s_ = pressed != key_pressed_s_.end() ? pressed->second : kNever;
-    strokes_.push_back({{key, modifiers, true, 0}, key_time_s_});
+    waiting_.push_back(TimedStroke{{key, modifiers, true, 0}, key_time_s_});
     key_may_type_ = true;
 }
 
 void Input::types(char32_t character) {
-    if (key_may_type_ && !strokes_.empty()) {
-        strokes_.back().stroke.character = character;
+    if (key_may_type_ && !waiting_.empty()) {
+        std::get<TimedStroke>(waiting_.back()).stroke.character = character;
     } else {
-        strokes_.push_back({{0, 0, false, character}, key_time_s_});
+        waiting_.push_back(TimedStroke{{0, 0, false, character}, key_time_s_});
     }
     key_may_type_ = false;
 }
 
 void Input::button_down(int button, double time_s) {
     last_press_s_ = time_s;
-    buttons_[button] = {time_s, true, true};
+    waiting_.push_back(ButtonChange{button, true, time_s, pointer_});
+    key_may_type_ = false;
     if (button == kLeftButton) clicks_.push_back(time_s);
 }
 
 void Input::button_up(int button, double time_s) {
-    last_release_s_ = time_s;
-    buttons_[button].down = false;
+    waiting_.push_back(ButtonChange{button, false, time_s, pointer_});
+    key_may_type_ = false;
 }
 
 void Input::forget() {
-    strokes_.clear();
+    waiting_.clear();
     keys_.clear();
     clicks_.clear();
     key_pressed_s_.clear();
+    buttons_.clear();
     key_may_type_ = false;
     key_time_s_ = kNever;
-    for (auto& [number, button] : buttons_) {
-        button.pressed_s = kNever;
-        button.tapped = false;
+}
+
+bool Input::hand_over(const ButtonChange& change, InputFrame& frame) {
+    if (change.down) {
+        if (change.time_s < open_from_s_) return false;
+        buttons_[change.button] = change.time_s;
+    } else {
+        const auto held = buttons_.find(change.button);
+        if (held == buttons_.end()) return false;
+        frame.release = Release{held->second, change.time_s};
+        buttons_.erase(held);
     }
+    frame.pointer = change.place;
+    return true;
 }
 
 InputFrame Input::take_frame() {
     InputFrame frame;
-    std::size_t taken = 0;
-    while (taken < strokes_.size()) {
-        const TimedStroke& next = strokes_[taken];
+    while (!waiting_.empty()) {
+        if (const auto* change = std::get_if<ButtonChange>(&waiting_.front())) {
+            if (!frame.strokes.empty()) break;
+            const bool seen = hand_over(*change, frame);
+            waiting_.pop_front();
+            if (seen) break;
+            continue;
+        }
+        const TimedStroke next = std::get<TimedStroke>(waiting_.front());
         const bool acts = !only_types(next.stroke);
         if (acts && !frame.strokes.empty()) break;
-        ++taken;
+        waiting_.pop_front();
         if (next.pressed_s < open_from_s_) continue;
         frame.strokes.push_back(next.stroke);
         if (acts) break;
     }
-    strokes_.erase(strokes_.begin(), strokes_.begin() + static_cast<std::ptrdiff_t>(taken));
-    if (strokes_.empty()) key_may_type_ = false;
-    for (auto& [number, button] : buttons_) {
-        if ((button.down || button.tapped) && button.pressed_s >= open_from_s_) {
-            frame.buttons.push_back(number);
-        }
-        button.tapped = false;
-    }
+    if (waiting_.empty()) key_may_type_ = false;
+    for (const auto& [number, pressed_s] : buttons_) frame.buttons.push_back(number);
     return frame;
 }
 

@@ -232,17 +232,16 @@ void SessionRunner::go_on() {
 }
 
 void SessionRunner::go_on_with_page() {
-    const double before_s = monotonic_s();
     pressed_.reset();
     draw_next_frame(
         stage_, [this] { draw_page(); }, idle_frames_);
     forward_presses();
     if (pressed_) {
         // A button of the page is pressed when the mouse lets go of it.
-        const Input& input = stage_.window.input();
-        const bool clicked = input.last_release_s() >= before_s;
-        feed(*pressed_, moment_of_press(clicked ? input.last_release_s() : monotonic_s(),
-                                        input.last_press_s()));
+        const auto& release = stage_.ui.input().release;
+        feed(*pressed_, release
+                            ? moment_of_press(release->released_s, release->pressed_s)
+                            : moment_of_press(monotonic_s(), stage_.window.input().last_press_s()));
     }
     // Last, since it is stamped now and what was pressed before the frame a little earlier.
     if (stage_.ui.end_seen() && !procedure_.end_seen()) feed(EndSeen{}, moment_now());

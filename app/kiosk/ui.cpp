@@ -62,6 +62,10 @@ void Ui::hand_over_input() {
     for (const int button : page_.input.buttons) {
         if (button < IM_ARRAYSIZE(io.MouseDown)) io.MouseDown[button] = true;
     }
+    if (page_.input.pointer) {
+        io.MousePos = {static_cast<float>(page_.input.pointer->x),
+                       static_cast<float>(page_.input.pointer->y)};
+    }
     io.InputQueueCharacters.resize(0);
     if (!input.open(monotonic_s())) io.MouseWheel = 0.0F;
 }

@@ -33,6 +33,8 @@ class Ui {
 
     /// Whether the page's end was in view.
     [[nodiscard]] bool end_seen() const { return page_.end_seen; }
+    /// What the page saw of keyboard and mouse in the frame that was drawn last.
+    [[nodiscard]] const InputFrame& input() const { return page_.input; }
 
   private:
     void hand_over_input();

@@ -92,6 +92,10 @@ struct Window::Callbacks {
     static void character(GLFWwindow* window, unsigned code) {
         of(window).input_.types(static_cast<char32_t>(code));
     }
+    // The place of a click is where the pointer was by then, not where it is when it is drawn.
+    static void pointer(GLFWwindow* window, double x, double y) {
+        of(window).input_.pointer_moves({x, y});
+    }
     static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
         if (action == GLFW_PRESS) of(window).input_.button_down(button, monotonic_s());
         if (action != GLFW_RELEASE) return;
@@ -190,6 +194,7 @@ void Window::set_callbacks() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, &Callbacks::key);
     glfwSetCharCallback(window_, &Callbacks::character);
+    glfwSetCursorPosCallback(window_, &Callbacks::pointer);
     glfwSetMouseButtonCallback(window_, &Callbacks::mouse_button);
     glfwSetWindowRefreshCallback(window_, &Callbacks::refresh);
     glfwSetWindowCloseCallback(window_, &Callbacks::close);

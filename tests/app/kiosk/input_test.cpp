@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <utility>
+
 namespace obscura::app::kiosk {
 namespace {
 
@@ -88,6 +91,43 @@ TEST(Input, AClickBetweenTwoFramesIsSeenInOne) {
     EXPECT_EQ(input.take_frame().buttons, std::vector<int>{kRight});
     EXPECT_TRUE(input.take_frame().buttons.empty());
     EXPECT_TRUE(input.take_clicks().empty()) << "only the left one is a click";
+}
+
+TEST(Input, AButtonIsSeenWhereThePointerWasWhenItWentDownAndWhenItCameUp) {
+    Input input;
+    input.pointer_moves({10.0, 20.0});
+    input.button_down(kLeft, 1.0);
+    input.button_up(kLeft, 1.01);
+    input.pointer_moves({300.0, 20.0});
+    input.button_down(kLeft, 1.02);
+    input.pointer_moves({400.0, 20.0});
+    for (const auto& [x, down] : {std::pair{10.0, true}, {10.0, false}, {300.0, true}}) {
+        EXPECT_TRUE(input.more());
+        const InputFrame frame = input.take_frame();
+        EXPECT_EQ(frame.pointer, (PointerPlace{x, 20.0}));
+        EXPECT_EQ(frame.buttons.size(), down ? 1U : 0U);
+        ASSERT_EQ(frame.release.has_value(), !down);
+        if (frame.release) {
+            EXPECT_EQ(frame.release->pressed_s, 1.0);
+            EXPECT_EQ(frame.release->released_s, 1.01);
+        }
+    }
+    EXPECT_FALSE(input.more());
+    EXPECT_EQ(input.take_frame().pointer, std::nullopt) << "it is where it is";
+}
+
+TEST(Input, WhatIsTypedBeforeAndAfterAClickKeepsItsSideOfIt) {
+    Input input;
+    type(input, kA, U'a', 1.0);
+    input.button_down(kLeft, 1.1);
+    type(input, kA, U'b', 1.2);
+    const InputFrame before = input.take_frame();
+    ASSERT_EQ(before.strokes.size(), 1U);
+    EXPECT_TRUE(before.buttons.empty());
+    const InputFrame click = input.take_frame();
+    EXPECT_TRUE(click.strokes.empty());
+    EXPECT_EQ(click.buttons, std::vector<int>{kLeft});
+    EXPECT_EQ(typed(input), U"b");
 }
 
 TEST(Input, KeysThatCameTogetherKeepTheirOrderAndEachMayMoveTheFocus) {

@@ -78,6 +78,14 @@ class ShownPage {
         ImGui::GetIO().MouseWheel += lines;
         draw();
     }
+    /// The mouse's left button at a place, the pointer then moved on before a frame is drawn.
+    void click(PointerPlace at, PointerPlace moved_on) {
+        window_.input().pointer_moves(at);
+        window_.input().button_down(GLFW_MOUSE_BUTTON_LEFT, ++time_s_);
+        window_.input().button_up(GLFW_MOUSE_BUTTON_LEFT, ++time_s_);
+        window_.input().pointer_moves(moved_on);
+        draw();
+    }
     /// What was pressed since the last call.
     [[nodiscard]] std::optional<Event> event() { return std::exchange(event_, std::nullopt); }
     [[nodiscard]] static float scrolled() { return page_state().scrolled_px; }
@@ -177,6 +185,35 @@ TEST_F(Pages, ALongQuestionIsAnsweredOnlyAfterItsEndWasSeen) {
     EXPECT_FALSE(ShownPage::end_seen());
     page.press(GLFW_KEY_END);
     EXPECT_TRUE(ShownPage::end_seen());
+}
+
+/// The answer that a click gives, if any.
+std::optional<Answered> answer_of(ShownPage& page, PointerPlace at, PointerPlace moved_on) {
+    page.click(at, moved_on);
+    const auto event = page.event();
+    if (!event || !std::holds_alternative<Answered>(*event)) return std::nullopt;
+    return std::get<Answered>(*event);
+}
+
+TEST_F(Pages, AnAnswerIsWhatThePointerWasOnWhenItWasPressedHoweverFastItMovesOn) {
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    std::optional<PointerPlace> first;
+    std::optional<PointerPlace> second;
+    for (double y = 40.0; y < 700.0 && !(first && second); y += 25.0) {
+        for (const double x : {300.0, 420.0, 512.0, 600.0, 720.0}) {
+            const PointerPlace at{x, y};
+            if (const auto answer = answer_of(page, at, at)) (answer->first ? first : second) = at;
+        }
+    }
+    ASSERT_TRUE(first && second) << "no place gives an answer";
+    for (int repetition = 0; repetition < 10; ++repetition) {
+        const auto one = answer_of(page, *first, *second);
+        ASSERT_TRUE(one.has_value());
+        EXPECT_TRUE(one->first);
+        const auto other = answer_of(page, *second, *first);
+        ASSERT_TRUE(other.has_value());
+        EXPECT_FALSE(other->first);
+    }
 }
 
 /// The rectangles of the windows that the last frame drew.
