@@ -4,7 +4,7 @@
 // sectors of its slice between the angles of its front and its back; light passes behind. The sectors
 // are equal shares of the slice's cosine-weighted integral.
 #include "technique/slices.glsl"
-#ifndef SLICE_TURNS
+#ifndef FAN_TURNS
 #error the slices' turns must be defined
 #endif
 
@@ -15,7 +15,7 @@ uniform float p_thickness;
 uniform float p_step_spread;
 uniform float p_power;
 
-const vec2 kSliceTurns[] = SLICE_TURNS;
+const vec2 kSliceTurns[] = FAN_TURNS;
 const float kSectors = 32.0;
 
 // The lowest `count` of 32 bits.
@@ -49,7 +49,7 @@ float accessibility(vec2 uv, float z) {
     vec3 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % kTileSize, 0).xyz;
     float visible = 0.0;
     float open = 0.0;
-    for (int i = 0; i < SLICES; ++i) {
+    for (int i = 0; i < FAN_COUNT; ++i) {
         vec2 by = kSliceTurns[i];
         Slice s = slice_of(p, vec2(turn.x * by.x - turn.y * by.y, turn.x * by.y + turn.y * by.x));
         float after = arc(p.facing, s.across, -s.sine);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/slices_model.h"
@@ -62,10 +61,9 @@ class BitmaskModel {
         thickness_m_ = radius_m * value("thickness");
         spread_ = value("step_spread");
         power_ = value("power");
-        const int slices = variant.samples / (2 * kSliceSteps);
-        const double sector_rad = std::numbers::pi / slices;
-        tile_ = turn_tile(sector_rad);
-        directions_ = direction_turns(slices, sector_rad);
+        const Fan fan = fan_of_slices(variant.samples);
+        tile_ = turn_tile(fan.sector_rad);
+        directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

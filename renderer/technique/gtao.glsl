@@ -4,7 +4,7 @@
 // form. What is visible is divided by what an open surface has in the same slices, so a plane has 1 in
 // every pixel and not only on the mean.
 #include "technique/slices.glsl"
-#ifndef SLICE_TURNS
+#ifndef FAN_TURNS
 #error the slices' turns must be defined
 #endif
 
@@ -15,7 +15,7 @@ uniform float p_thin_occluder;
 uniform float p_step_spread;
 uniform float p_power;
 
-const vec2 kSliceTurns[] = SLICE_TURNS;
+const vec2 kSliceTurns[] = FAN_TURNS;
 
 // The largest cosine of a horizon on one side, at least the tangent plane's.
 float horizon(Surface p, Slice s, float side, float jitter, float radius_m, float open) {
@@ -37,7 +37,7 @@ float accessibility(vec2 uv, float z) {
     float radius_m = p_radius_m * p_reach;
     float visible = 0.0;
     float open = 0.0;
-    for (int i = 0; i < SLICES; ++i) {
+    for (int i = 0; i < FAN_COUNT; ++i) {
         vec2 by = kSliceTurns[i];
         Slice s = slice_of(p, vec2(turn.x * by.x - turn.y * by.y, turn.x * by.y + turn.y * by.x));
         float after = horizon(p, s, 1.0, turn.z, radius_m, -s.sine);

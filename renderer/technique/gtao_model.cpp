@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/gtao.h"
@@ -24,10 +23,9 @@ class GtaoModel {
         thin_ = variant.value_of(*technique.find_parameter("thin_occluder"));
         spread_ = value("step_spread");
         power_ = value("power");
-        const int slices = variant.samples / (2 * kSliceSteps);
-        const double sector_rad = std::numbers::pi / slices;
-        tile_ = turn_tile(sector_rad);
-        directions_ = direction_turns(slices, sector_rad);
+        const Fan fan = fan_of_slices(variant.samples);
+        tile_ = turn_tile(fan.sector_rad);
+        directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

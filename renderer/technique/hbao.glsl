@@ -3,7 +3,7 @@
 // Bavoil and Sainz 2008: in each direction of the image the horizon starts above the tangent plane by
 // the bias; a sample above it occludes what it adds to the horizon's sine, less with its distance.
 #include "technique/slices.glsl"
-#ifndef DIRECTION_TURNS
+#ifndef FAN_TURNS
 #error the directions' turns must be defined
 #endif
 
@@ -14,7 +14,7 @@ uniform float p_step_spread;
 uniform float p_strength;
 uniform float p_power;
 
-const vec2 kDirectionTurns[] = DIRECTION_TURNS;
+const vec2 kDirectionTurns[] = FAN_TURNS;
 
 float accessibility(vec2 uv, float z) {
     Surface p = surface_at(uv, z);
@@ -24,7 +24,7 @@ float accessibility(vec2 uv, float z) {
     float per_squared = 1.0 / max(radius_m * radius_m, 1.0e-30);
     float bias_cosine = sqrt(1.0 - p_bias * p_bias);
     float occluded = 0.0;
-    for (int i = 0; i < DIRECTIONS; ++i) {
+    for (int i = 0; i < FAN_COUNT; ++i) {
         vec2 by = kDirectionTurns[i];
         Slice s = slice_of(p, vec2(turn.x * by.x - turn.y * by.y, turn.x * by.y + turn.y * by.x));
         // No higher than the ray to the camera.
@@ -39,7 +39,7 @@ float accessibility(vec2 uv, float z) {
             horizon = max(horizon, sine);
         }
     }
-    float mean = 1.0 - p_strength * occluded / float(DIRECTIONS);
+    float mean = 1.0 - p_strength * occluded / float(FAN_COUNT);
 #ifndef UNCLAMPED
     mean = clamp(mean, 0.0, 1.0);
 #endif

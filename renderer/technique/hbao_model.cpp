@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/slices_model.h"
@@ -31,10 +30,9 @@ class HbaoModel {
         spread_ = value("step_spread");
         strength_ = value("strength");
         power_ = value("power");
-        const int directions = variant.samples / kSliceSteps;
-        const double sector_rad = 2.0 * std::numbers::pi / directions;
-        tile_ = turn_tile(sector_rad);
-        directions_ = direction_turns(directions, sector_rad);
+        const Fan fan = fan_of_directions(variant.samples);
+        tile_ = turn_tile(fan.sector_rad);
+        directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

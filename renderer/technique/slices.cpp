@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
 namespace {
@@ -43,19 +45,36 @@ NumberTable turn_table(double sector_rad) {
     return table;
 }
 
-std::vector<Turn> direction_turns(int count, double sector_rad) {
+Fan fan_of_slices(int samples) {
+    const int count = samples / (2 * kSliceSteps);
+    return {count, std::numbers::pi / count};
+}
+
+Fan fan_of_directions(int samples) {
+    const int count = samples / kSliceSteps;
+    return {count, 2.0 * std::numbers::pi / count};
+}
+
+std::vector<Turn> fan_turns(const Fan& fan) {
     std::vector<Turn> turns;
-    for (int i = 0; i < count; ++i) turns.push_back(turn_by(sector_rad * i, 0.0));
+    for (int i = 0; i < fan.count; ++i) turns.push_back(turn_by(fan.sector_rad * i, 0.0));
     return turns;
 }
 
-std::string direction_define(const std::string& name, int count, double sector_rad) {
-    std::string list;
-    for (const Turn& turn : direction_turns(count, sector_rad)) {
-        list +=
-            fmt::format("{}vec2({:.9e}, {:.9e})", list.empty() ? "" : ", ", turn.cosine, turn.sine);
+Recipe fan_recipe(const Variant& variant, const std::string& shader, const Fan& fan) {
+    std::string turns;
+    for (const Turn& turn : fan_turns(fan)) {
+        turns += fmt::format("{}vec2({:.9e}, {:.9e})", turns.empty() ? "" : ", ", turn.cosine,
+                             turn.sine);
     }
-    return fmt::format("{} vec2[]({})", name, list);
+    Recipe recipe;
+    recipe.tables = {turn_table(fan.sector_rad)};
+    Step step = accessibility_step(variant, shader, {Target::kDepth, Target::kNormal, "turns"},
+                                   variant.samples + 3);
+    step.defines.push_back(fmt::format("FAN_COUNT {}", fan.count));
+    step.defines.push_back(fmt::format("FAN_TURNS vec2[]({})", turns));
+    recipe.steps = {step};
+    return recipe;
 }
 
 Parameter slice_radius() {
@@ -64,6 +83,19 @@ Parameter slice_radius() {
 
 Parameter slice_reach(double standard) {
     return {"reach", "How far samples look for occluders", "of radius_m", 0.0, 20.0, standard};
+}
+
+Parameter slice_spread(double standard) {
+    return {"step_spread",
+            "How samples lie along a slice: 0 evenly, 1 by the square of their number",
+            "",
+            0.0,
+            1.0,
+            standard};
+}
+
+Parameter slice_power() {
+    return {"power", "Exponent of the accessibility", "", 0.0, 10000.0, 1.0};
 }
 
 std::map<Ideal, std::string> slice_nature() {

@@ -27,15 +27,29 @@ struct Turn {
 [[nodiscard]] std::vector<Turn> turn_tile(double sector_rad);
 [[nodiscard]] NumberTable turn_table(double sector_rad);
 
-/// The turns from the first direction to each, `count` in all, `sector_rad` apart.
-[[nodiscard]] std::vector<Turn> direction_turns(int count, double sector_rad);
+/// Directions of the image that a pixel's samples lie along, evenly apart.
+struct Fan {
+    int count = 1;
+    double sector_rad = 0.0;  ///< between neighbours
+};
+/// Slices, whose samples lie on both sides of the pixel, and directions, with one side only:
+/// kSliceSteps samples a side.
+[[nodiscard]] Fan fan_of_slices(int samples);
+[[nodiscard]] Fan fan_of_directions(int samples);
 
-/// The same as a define of that name, an array of vec2.
-[[nodiscard]] std::string direction_define(const std::string& name, int count, double sector_rad);
+/// The turns of a fan from its first direction to each.
+[[nodiscard]] std::vector<Turn> fan_turns(const Fan& fan);
+
+/// One step: a fetch of the depth for each sample, and the pixel's own depth, normal and turn. The
+/// shader reads the tile `turns`, and the defines FAN_COUNT and FAN_TURNS, an array of vec2.
+[[nodiscard]] Recipe fan_recipe(const Variant& variant, const std::string& shader, const Fan& fan);
 
 /// `radius_m`, which only sets units, and how far samples reach in it.
 [[nodiscard]] Parameter slice_radius();
 [[nodiscard]] Parameter slice_reach(double standard);
+/// How samples lie along a side, and the exponent of what is found.
+[[nodiscard]] Parameter slice_spread(double standard);
+[[nodiscard]] Parameter slice_power();
 
 /// Why such a technique does not see what lies outside the image.
 [[nodiscard]] std::map<Ideal, std::string> slice_nature();
