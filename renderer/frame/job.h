@@ -35,7 +35,6 @@ struct Renderer::Job {
     /// Uniforms of passes/view.glsl, for the buffers that are attached.
     void set_view(gl::Program& program) const {
         program.set("u_size", glm::vec2(size));
-        program.set("u_projection", camera.clip_from_view);
         program.set("u_ray_scale", camera.ray_scale);
         program.set("u_ray_offset", camera.ray_offset);
         program.set("u_ray_to_px", 0.5F * glm::vec2(size) / camera.ray_scale);

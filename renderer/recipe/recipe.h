@@ -40,8 +40,8 @@ enum class Cover {
 };
 
 /// One full-screen shader, drawn once for each level and layer of what it writes. Beside what it
-/// reads it may use: `u_size` (texels of the level), `u_projection`, `u_ray_scale`, `u_ray_offset`
-/// (passes/view.glsl), `u_far_m`, `u_level`, `u_layer`, `u_frame`, and `p_<parameter>`.
+/// reads it may use: `u_size` (texels of the level), `u_ray_scale`, `u_ray_offset`, `u_ray_to_px`,
+/// `u_axis_px` (passes/view.glsl), `u_far_m`, `u_level`, `u_layer`, `u_frame`, and `p_<parameter>`.
 struct Step {
     std::string name;    ///< in plans and timings, where neighbours of one name count as one
     std::string shader;  ///< path below renderer/
