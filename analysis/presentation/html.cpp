@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "analysis/embedded.h"
 #include "analysis/presentation/html_table.h"
+#include "analysis/text/embedded.h"
 #include "analysis/text/text.h"
 
 namespace obscura::analysis {

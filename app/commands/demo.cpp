@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "analysis/conclusions/exported_conclusions.h"
 #include "analysis/export/contents.h"
 #include "analysis/presentation/report.h"
 #include "analysis/presentation/text_report.h"
@@ -125,6 +126,7 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     export_options.overwrite = true;
     export_options.studies = {exported};
     export_options.software = kiosk::software_version();
+    (void)analysis::add_conclusions(export_options, store, url_of(file));
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
     analysis::Tally tally = analysis::tally_trials(url_of(file), contents.sessions, contents.trials,
