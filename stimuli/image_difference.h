@@ -32,4 +32,8 @@ struct ImageDifference {
 /// Throws bad input for images of different sizes or without pixels.
 [[nodiscard]] ImageDifference difference_of(const RgbImage& a, const RgbImage& b);
 
+/// Of all pixels, as a share of display white, [0, 1]. Throws bad input for an image without
+/// pixels.
+[[nodiscard]] double mean_luminance(const RgbImage& image);
+
 }  // namespace obscura::stimuli

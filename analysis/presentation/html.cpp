@@ -106,6 +106,13 @@ void Page::notice(std::string_view text) {
     markdown_ += fmt::format("> **{}**\n\n", markdown_escaped(text));
 }
 
+void Page::box(std::string_view title, const std::vector<std::string>& items) {
+    html_ += "<aside class=\"box\">\n";
+    heading(title, 3);
+    list(items);
+    html_ += "</aside>\n";
+}
+
 void Page::answer(std::string_view question, std::string_view verdict, std::string_view sentence) {
     html_ += fmt::format(
         "<section class=\"answer\"><p class=\"question\">{}</p><p class=\"verdict\">{}</p>"

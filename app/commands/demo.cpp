@@ -8,6 +8,7 @@
 #include "analysis/conclusions/exported_conclusions.h"
 #include "analysis/export/contents.h"
 #include "analysis/presentation/report.h"
+#include "analysis/presentation/summary.h"
 #include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
 #include "analysis/store/store.h"
@@ -35,6 +36,7 @@ struct DemoOptions {
     std::string study = "jakobsen2010";
     fs::path out;  ///< empty: DATA/demo
     int participants = 36;
+    bool full = false;
 };
 
 [[nodiscard]] std::string url_of(const fs::path& file) { return "sqlite3://" + file.string(); }
@@ -114,10 +116,10 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     fs::rename(beside, file);
 }
 
-/// Writes tables and the report, and gives the analysis as text.
+/// Writes tables and the report, and gives the analysis as text, in one screen or in full.
 [[nodiscard]] std::string analyse(const stimuli::Study& study,
                                   const analysis::ExportedStudy& exported, const fs::path& out,
-                                  const fs::path& file) {
+                                  const fs::path& file, bool full) {
     const fs::path reports = out / "reports";
     Store store(url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
@@ -136,7 +138,9 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
     add_sources(input, {out, study, {}});
     analysis::write_report(analysis::report_files(input), reports);
-    return analysis::text_report(input.analysis);
+    if (!full) return analysis::summary_text(input.analysis);
+    return analysis::text_report(
+        input.analysis, analysis::caveats_of(input.analysis, input.images, input.attendance));
 }
 
 base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
@@ -149,16 +153,19 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
     make_store(study, images, file, options.participants, globals.quiet);
-    const std::string report = analyse(
-        study, exported_study(stimuli::study_source(options.study), study, images), out, file);
+    const std::string report =
+        analyse(study, exported_study(stimuli::study_source(options.study), study, images), out,
+                file, options.full);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"
-        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n",
+        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n"
+        "Next: open the report. obscura run {} shows the study to people; obscura check FILE reads "
+        "one of your own.\n",
         options.participants == 1 ? "The observer is"
                                   : fmt::format("The {} observers are", options.participants),
         images.string(), file.string(), (out / "reports" / "export").string(),
-        (out / "reports" / "report.html").string());
+        (out / "reports" / "report.html").string(), options.study);
     return base::ExitCode::kDone;
 }
 
@@ -174,6 +181,7 @@ std::function<base::ExitCode()> attach_demo(CLI::App& app, const Globals& global
         ->type_name("N")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    app.add_flag("--full", options->full, "Print every test in words instead of one screen");
     app.footer(
         "Images that are there from the same inputs are kept; the store, tables and analysis of an "
         "earlier demo are replaced.");
