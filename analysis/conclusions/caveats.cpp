@@ -102,14 +102,14 @@ void add_scene_with_validity(std::vector<Caveat>& caveats, const Tally& tally) {
 }
 
 /// Both images of a condition.
-struct Pair {
+struct ShownPair {
     const ConditionVotes* condition;
     const ShownImage* a;
     const ShownImage* b;
 };
 
-std::vector<Pair> pairs_of(const Tally& tally, const std::vector<ShownImage>& images) {
-    std::vector<Pair> pairs;
+std::vector<ShownPair> shown_pairs(const Tally& tally, const std::vector<ShownImage>& images) {
+    std::vector<ShownPair> pairs;
     for (const ConditionVotes& condition : tally.conditions) {
         const ShownImage* const a = shown_image(images, condition, 'A');
         const ShownImage* const b = shown_image(images, condition, 'B');
@@ -120,9 +120,9 @@ std::vector<Pair> pairs_of(const Tally& tally, const std::vector<ShownImage>& im
 
 bool has_occlusion(const ShownImage& image) { return image.technique != "none"; }
 
-void add_what_differs_together(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs) {
+void add_what_differs_together(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pairs) {
     std::vector<std::string> words;
-    for (const Pair& pair : pairs) {
+    for (const ShownPair& pair : pairs) {
         if (!has_occlusion(*pair.a) || !has_occlusion(*pair.b)) continue;
         if (pair.a->technique == pair.b->technique) continue;
         std::vector<std::string> with;
@@ -153,10 +153,10 @@ void add_what_differs_together(std::vector<Caveat>& caveats, const std::vector<P
                      fmt::join(words, "; "))});
 }
 
-void add_darkness(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs) {
+void add_darkness(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pairs) {
     std::vector<std::string> words;
     std::int64_t darker_b = 0;
-    for (const Pair& pair : pairs) {
+    for (const ShownPair& pair : pairs) {
         const auto& [condition, a, b] = pair;
         if (!a->mean_luminance || !b->mean_luminance) continue;
         if (*b->mean_luminance < *a->mean_luminance) ++darker_b;
@@ -183,9 +183,9 @@ void add_darkness(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs) 
 }
 
 /// Images that are the same to the byte, or where no file is known, of the same scene and settings.
-void add_recurring(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs) {
+void add_recurring(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pairs) {
     std::map<std::string, std::pair<std::string, std::set<std::string>>> seen;
-    for (const Pair& pair : pairs) {
+    for (const ShownPair& pair : pairs) {
         for (const ShownImage* image : {pair.a, pair.b}) {
             const bool is_a = image == pair.a;
             const std::string& variant =
@@ -215,9 +215,9 @@ void add_recurring(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs)
              listed(words))});
 }
 
-void add_views(std::vector<Caveat>& caveats, const std::vector<Pair>& pairs) {
+void add_views(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pairs) {
     std::map<std::string, std::set<std::string>> cameras;
-    for (const Pair& pair : pairs) cameras[pair.a->scene].insert(pair.a->camera);
+    for (const ShownPair& pair : pairs) cameras[pair.a->scene].insert(pair.a->camera);
     if (cameras.empty()) return;
     std::vector<std::string> once;
     for (const auto& [scene, own] : cameras) {
@@ -265,7 +265,7 @@ std::vector<Caveat> caveats_of(const Analysis& analysis, const std::vector<Shown
     std::vector<Caveat> caveats{sides(tally)};
     if (tally.conditions.size() > 1) caveats.push_back(positions(balance_met(tally)));
     add_scene_with_validity(caveats, tally);
-    const std::vector<Pair> pairs = pairs_of(tally, images);
+    const std::vector<ShownPair> pairs = shown_pairs(tally, images);
     add_what_differs_together(caveats, pairs);
     add_darkness(caveats, pairs);
     add_recurring(caveats, pairs);

@@ -22,15 +22,15 @@ struct PlotData {
 struct Plot {
     std::string name;   ///< stem of its files
     std::string title;  ///< what the picture is called; may be empty
-    /// What stands above the plot; nothing: its title.
-    std::optional<std::string> above = {};
     int width_px = 900;
     int height_px = 560;
+    std::string script;
+    std::vector<PlotData> data;
+    /// What stands above the plot; nothing: its title.
+    std::optional<std::string> above = {};
     /// For print: so wide, with the letters and lines of a journal, 8 pt and half a point; the
     /// height follows. 0: for a screen, in pixels.
     double width_mm = 0.0;
-    std::string script;
-    std::vector<PlotData> data;
 };
 
 /// The files of a drawn plot, relative to its folder, and the SVG itself for a page.

@@ -90,7 +90,7 @@ std::string hypothesis_words(const Analysis& analysis) {
         listed(names), names.size() == 1 ? "was" : "were each");
 }
 
-std::string validity_words(const Analysis& analysis) {
+std::string validity_tests(const Analysis& analysis) {
     if (!analysis.validity.has_value() || analysis.validity->by_level.empty()) return "";
     const bool by_person = analysis.validity->by_level.front().same_participants.has_value();
     const bool many = analysis.validity->by_level.front().levels.size() > 2;
@@ -160,7 +160,7 @@ std::vector<std::string> method_paragraphs(const ReportInput& input) {
     const Analysis& analysis = input.analysis;
     return {joined({showing_words(input), order_of_pairs(input.study.order),
                     exclusion_words(analysis.exclusions)}),
-            joined({pair_tests(analysis), hypothesis_words(analysis), validity_words(analysis),
+            joined({pair_tests(analysis), hypothesis_words(analysis), validity_tests(analysis),
                     correction_words(analysis),
                     fmt::format("Everything was computed by {} (seed {} of all draws).",
                                 input.software.empty() ? "Obscura" : input.software,

@@ -138,7 +138,8 @@ TEST(Paper, TakesEveryNumberOfAVerdictFromTheAnalysis) {
         const std::string line = verdict_line(analysis, verdict);
         EXPECT_THAT(results, HasSubstr(verdict.hypothesis + ": " + line + '.'));
         EXPECT_THAT(summary_text(analysis), HasSubstr(verdict.hypothesis + ": "));
-        if (verdict.p.has_value()) EXPECT_THAT(line, HasSubstr(journal_p_words(*verdict.p)));
+        ASSERT_TRUE(verdict.p.has_value());
+        EXPECT_THAT(line, HasSubstr(journal_p_words(*verdict.p)));
     }
     const HypothesisResult& h1 = analysis.hypotheses.front();
     EXPECT_THAT(results, HasSubstr(fmt::format("B in {} of {} votes", h1.pooled.votes.b,
