@@ -4,7 +4,9 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -17,11 +19,11 @@
 namespace obscura::analysis {
 namespace {
 
-std::string_view level_of(const Analysis& analysis, const std::string& condition) {
-    for (const ConditionResult& result : analysis.conditions) {
-        if (result.condition.id == condition) return result.condition.validity;
-    }
-    return "";
+const ConditionVotes& condition_of(const Analysis& analysis, const std::string& id) {
+    const auto found =
+        std::find_if(analysis.tally.conditions.begin(), analysis.tally.conditions.end(),
+                     [&](const ConditionVotes& condition) { return condition.id == id; });
+    return *found;  // tests are of conditions of the tally
 }
 
 void add_preferences(std::vector<ExportedTest>& tests, const Analysis& analysis,
@@ -33,24 +35,53 @@ void add_preferences(std::vector<ExportedTest>& tests, const Analysis& analysis,
             row.test = hypothesis.name;
             row.question = "preference";
             row.condition = hypothesis.conditions[i];
-            row.level = level_of(analysis, row.condition);
+            row.level = condition_of(analysis, row.condition).validity;
             row.weight = hypothesis.pooling->turned[i] ? "-1" : "1";
         }
     }
+}
+
+/// The weights of the conditions of a comparison over two levels: of each scene the mean of the
+/// second level less that of the first, times what makes all of them whole (LevelContrast).
+std::vector<std::int64_t> weights_of(const std::vector<const ConditionVotes*>& conditions) {
+    std::map<std::pair<std::string_view, std::string_view>, std::int64_t> shown;
+    std::size_t first = level_number(conditions.front()->validity);
+    for (const ConditionVotes* condition : conditions) {
+        ++shown[{condition->view, condition->validity}];
+        first = std::min(first, level_number(condition->validity));
+    }
+    std::int64_t factor = 1;
+    for (const auto& [where, count] : shown) factor = std::lcm(factor, count);
+    std::vector<std::int64_t> weights;
+    for (const ConditionVotes* condition : conditions) {
+        const std::int64_t weight = factor / shown.at({condition->view, condition->validity});
+        weights.push_back(level_number(condition->validity) == first ? -weight : weight);
+    }
+    return weights;
 }
 
 void add_interactions(std::vector<ExportedTest>& tests, const Analysis& analysis,
                       const ExportedTest& like) {
     if (!analysis.validity.has_value()) return;
     for (const Comparison& comparison : analysis.validity->by_level) {
-        const bool is_pair = comparison.conditions.size() == 2;
-        for (std::size_t i = 0; i < comparison.conditions.size(); ++i) {
+        // A large-sample test over incomplete answers is not one that tables repeat.
+        if (comparison.contrast.has_value() && !comparison.contrast->is_exact) continue;
+        const bool is_weighed =
+            comparison.contrast.has_value() || comparison.conditions.size() == 2;
+        std::vector<const ConditionVotes*> conditions;
+        for (const std::string& id : comparison.conditions) {
+            conditions.push_back(&condition_of(analysis, id));
+        }
+        const std::vector<std::int64_t> weights = weights_of(conditions);
+        for (std::size_t i = 0; i < conditions.size(); ++i) {
             ExportedTest& row = tests.emplace_back(like);
             row.test = fmt::format("{}: {}", analysis.validity->name, what_is_compared(comparison));
-            row.question = is_pair ? "interaction" : "levels";
-            row.condition = comparison.conditions[i];
-            row.level = level_of(analysis, row.condition);
-            if (is_pair) row.weight = (i == 1) != comparison.turned[i] ? "1" : "-1";
+            row.question = is_weighed ? "interaction" : "levels";
+            row.condition = conditions[i]->id;
+            row.level = conditions[i]->validity;
+            if (is_weighed) {
+                row.weight = std::to_string(comparison.turned[i] ? -weights[i] : weights[i]);
+            }
         }
     }
 }

@@ -80,8 +80,8 @@ std::string hypothesis_words(const Analysis& analysis) {
     if (names.empty()) return "";
     if (analysis.tally.participants.empty()) {
         return fmt::format(
-            "The votes of {} were added up and tested by the exact binomial test, which takes them "
-            "as independent because who gave them is not known.",
+            "The votes of {} were added up and tested by the exact binomial test as if each "
+            "participant had voted once, because who gave them is not known.",
             listed(names));
     }
     return fmt::format(
@@ -92,16 +92,19 @@ std::string hypothesis_words(const Analysis& analysis) {
 
 std::string validity_tests(const Analysis& analysis) {
     if (!analysis.validity.has_value() || analysis.validity->by_level.empty()) return "";
-    const bool by_person = analysis.validity->by_level.front().same_participants.has_value();
-    const bool many = analysis.validity->by_level.front().levels.size() > 2;
+    const Comparison& first = analysis.validity->by_level.front();
+    const bool by_person = first.same_participants.has_value();
+    const bool many = first.levels.size() > 2;
     return fmt::format(
         "{} was tested on the same two variants in the same scene at different levels of validity "
         "({}), {}.",
         analysis.validity->name,
         counted(static_cast<std::int64_t>(analysis.validity->by_level.size()), "comparison"),
-        !by_person ? "from counts by Fisher's exact test, as if different people had answered"
-        : many     ? "within participants by Cochran's Q [@cochran1950]"
-                   : "within participants by McNemar's exact test [@mcnemar1947]");
+        first.contrast.has_value()
+            ? "by flipping the signs of each participant's difference [@fisher1935]"
+        : !by_person ? "from counts by Fisher's exact test, as if different people had answered"
+        : many       ? "within participants by Cochran's Q [@cochran1950]"
+                     : "within participants by McNemar's exact test [@mcnemar1947]");
 }
 
 std::string correction_words(const Analysis& analysis) {
