@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "analysis/conclusions/balance_met.h"
+#include "analysis/conclusions/published_study.h"
 #include "analysis/conclusions/words.h"
 
 namespace obscura::analysis {
@@ -267,9 +268,16 @@ std::vector<Caveat> caveats_of(const Analysis& analysis, const std::vector<Shown
     add_scene_with_validity(caveats, tally);
     const std::vector<ShownPair> pairs = shown_pairs(tally, images);
     add_what_differs_together(caveats, pairs);
-    add_darkness(caveats, pairs);
     add_recurring(caveats, pairs);
+    const std::size_t of_images = caveats.size();
+    add_darkness(caveats, pairs);
     add_views(caveats, pairs);
+    if (is_published_votes(tally)) {
+        for (std::size_t i = of_images; i < caveats.size(); ++i) {
+            caveats[i].sentence =
+                "Of this program's images, which are not those of 2010: " + caveats[i].sentence;
+        }
+    }
     caveats.push_back(display(tally, attendance));
     return caveats;
 }

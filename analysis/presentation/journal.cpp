@@ -65,7 +65,7 @@ std::string verdict_line(const Analysis& analysis, const Verdict& verdict) {
     }
     if (verdict.p.has_value()) text += ", " + journal_p_words(*verdict.p);
     if (verdict.p_holm.has_value()) {
-        text += ", corrected " + journal_p_words(PValue{*verdict.p_holm, 0.0});
+        text += ", corrected " + journal_p(verdict.p_holm);
     }
     return text;
 }

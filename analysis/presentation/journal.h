@@ -22,7 +22,7 @@ namespace obscura::analysis {
 [[nodiscard]] std::string journal_points(const Interval& interval);
 
 /// What a verdict says with its numbers in one line, without its name: `undecided; B in 46 of 108
-/// votes (42.6 %, 95 % CI 33.4 to 52.3 %), p = .392, corrected p = .783`. Every number is the
+/// votes (42.6 %, 95 % CI 33.4 to 52.3 %), p = .392, corrected .783`. Every number is the
 /// analysis's own.
 [[nodiscard]] std::string verdict_line(const Analysis& analysis, const Verdict& verdict);
 
