@@ -53,8 +53,7 @@ Caveat sides(const Tally& tally) {
     const bool same = low == high;
     text += same ? fmt::format(" and B {} times, in every pair", most - low)
                  : fmt::format("; not even (A first : B first): {}", apart);
-    return {"Sides",
-            text + ". A preference for the first or second image shifts the shares by as much."};
+    return {"Sides", text + ". An effect of the order would shift the shares of B."};
 }
 
 Caveat positions(const BalanceMet& met) {
