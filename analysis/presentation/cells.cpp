@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
 #include "analysis/presentation/journal.h"
 
 namespace obscura::analysis {
