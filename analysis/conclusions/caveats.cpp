@@ -177,8 +177,8 @@ void add_darkness(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pa
     caveats.push_back(
         {"Accuracy with darkness",
          fmt::format("B is the darker image in {} of {}, so that liking or disliking dark images "
-                     "counts as liking B. Mean luminance of white A : B (in brackets mean "
-                     "occlusion): {}.",
+                     "counts as liking B. Mean luminance (white is 1) A : B, in brackets mean "
+                     "occlusion: {}.",
                      darker_b, counted(n, "pair"), fmt::join(words, ", "))});
 }
 
