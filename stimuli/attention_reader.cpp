@@ -37,13 +37,15 @@ bool any_condition(const Study& study, const Is& is) {
     return std::any_of(study.conditions.begin(), study.conditions.end(), is);
 }
 
-/// Whether a condition has the key, or one that was meant to be it.
+/// Whether a condition has the key, or one that was meant to be it; true of no conditions at all,
+/// of which something else is said.
 bool any_has(const std::vector<const toml::table*>& conditions, const std::string& key) {
-    return std::any_of(conditions.begin(), conditions.end(), [&](const toml::table* table) {
-        std::vector<StudyProblem> ignored;
-        const TableReader reader(*table, "", ignored);
-        return reader.has(key) || reader.is_misspelt(key);
-    });
+    return conditions.empty() ||
+           std::any_of(conditions.begin(), conditions.end(), [&](const toml::table* table) {
+               std::vector<StudyProblem> ignored;
+               const TableReader reader(*table, "", ignored);
+               return reader.has(key) || reader.is_misspelt(key);
+           });
 }
 
 }  // namespace

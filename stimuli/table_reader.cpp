@@ -52,7 +52,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// What people write for a key, and the key; the first whose key is allowed is meant.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOtherWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kOtherWords{{
     {"look_at", "target_m"},
     {"lookat", "target_m"},
     {"at", "target_m"},
@@ -87,6 +87,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kOtherWo
     {"attention_check", "catch"},
     {"left", "a"},
     {"right", "b"},
+    {"exclude", "exclusion"},
 }};
 
 constexpr std::size_t kLongestShown = 60;  // bytes of a value that a message repeats

@@ -73,7 +73,7 @@ TEST(MeantKey, IsGuessedAtEveryLevelAndLeavesNothingElseToSay) {
     EXPECT_THAT(only_message("[[scene]]", "[[scenes]]"), HasSubstr(guessed("scene")));
     EXPECT_THAT(
         only_message("camera = \"nave\"",
-                     "camera = { position_m = [0, 1, 2], look_at = [0, 0, 0], fov_deg = 40 }"),
+                     "camera = { position_m = [0, 1, 2], target_m = [0, 0, 0], fov_deg = 40 }"),
         HasSubstr(guessed("vertical_fov_deg")));
 }
 
