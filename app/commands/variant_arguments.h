@@ -20,7 +20,7 @@ struct VariantArguments {
 };
 
 /// --technique, --samples, --set and --denoise.
-void add_variant_options(CLI::App& app, VariantArguments& arguments);
+void add_variant_options(const Options& app, VariantArguments& arguments);
 
 /// Throws bad input naming every option that is wrong, with its value and what is allowed.
 [[nodiscard]] renderer::Variant variant_from(const VariantArguments& arguments);
