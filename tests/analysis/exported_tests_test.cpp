@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "analysis/conclusions/exported_conclusions.h"
-#include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/pooled_share.h"
 #include "analysis/presentation/json_report.h"
 #include "analysis/table/csv.h"
 #include "analysis/trials_file.h"
