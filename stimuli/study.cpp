@@ -47,6 +47,25 @@ const StudyScene& Study::scene_of(const Condition& condition) const {
     return *found;
 }
 
+std::string Study::plan_json() const {
+    nlohmann::ordered_json json;
+    for (const Hypothesis& hypothesis : hypotheses) {
+        const bool is_preference = hypothesis.kind == HypothesisKind::kPreference;
+        nlohmann::ordered_json entry = {{"id", hypothesis.id},
+                                        {"statement", hypothesis.statement},
+                                        {"kind", to_string(hypothesis.kind)}};
+        if (is_preference) {
+            entry["conditions"] = hypothesis.conditions;
+        } else {
+            entry["pairs"] = hypothesis.pairs;
+        }
+        entry["margin"] = hypothesis.margin;
+        entry["role"] = to_string(hypothesis.role);
+        json["hypotheses"].push_back(std::move(entry));
+    }
+    return json.empty() ? "" : json.dump();
+}
+
 renderer::FrameOptions Study::frame_options() const {
     return {.supersampling = supersampling, .occluding_opacity = occluding_opacity};
 }

@@ -99,9 +99,9 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
     if (is_published_votes(analysis.tally)) add_published_views(analysis.tally);
     analysis.conditions = test_conditions(analysis.tally);
     analysis.sentence = sentence_of(analysis.conditions);
-    analysis.hypotheses =
-        test_hypotheses(analysis.conditions, secondary_conditions(analysis.tally));
-    analysis.validity = test_validity(analysis.tally);
+    analysis.family = family_of(analysis.tally);
+    analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
+    analysis.validity = test_validity(analysis.tally, analysis.family);
     analysis.scales = variant_scales(analysis.tally);
     const Possible<OrderVotes>& order = analysis.tally.order;
     if (order.has_value()) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/conclusions/family.h"
 #include "analysis/statistics/bayes_factor.h"
 #include "analysis/statistics/chi_square.h"
 #include "analysis/statistics/mcnemar.h"
@@ -26,6 +27,10 @@ namespace obscura::analysis {
 /// The level below which a p-value is called significant, as in Jakobsen 2010.
 inline constexpr double kSignificance = 0.05;
 inline constexpr double kConfidence = 0.95;
+
+/// A difference of shares that a study is taken to care about, where it fixes no margin: from one
+/// half to kRelevantShare, or between two levels of validity.
+inline constexpr double kRelevantDifference = .15;
 
 /// Is one of two images preferred? Every test of one set of votes.
 struct Preference {
@@ -69,11 +74,15 @@ struct ShareInterval {
     ShareIntervalKind kind = ShareIntervalKind::kCounts;
 };
 
-/// A hypothesis that conditions name: their votes together.
+/// A hypothesis on a preference: the votes of its conditions together.
 struct HypothesisResult {
     std::string name;
+    std::string statement;  ///< may be empty
+    double margin = kRelevantDifference;
+    bool is_primary = true;
     std::vector<std::string> conditions;
-    std::vector<std::string> secondary;  ///< conditions that name it and are no part of its test
+    std::vector<std::string> secondary;   ///< conditions that name it and are no part of its test
+    std::vector<std::string> unanswered;  ///< conditions that it takes and nobody saw
     /// No value, with the reason, where "B" is not the same thing in each condition. There is then
     /// nothing pooled.
     Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
@@ -152,7 +161,11 @@ struct Comparison {
 /// Does the preference depend on ecological validity? Like is compared with like: the same two
 /// variants, seen in the same scene by the same camera at two levels or more.
 struct ValidityResult {
-    std::string name;  ///< of the question: H3 in the built-in study, else kValidityQuestion
+    std::string name;       ///< of the question: the hypothesis's, else kValidityQuestion
+    std::string statement;  ///< may be empty
+    double margin = kRelevantDifference;
+    bool is_primary = true;
+    std::size_t planned = 0;           ///< comparisons that the study fixed; 0: it fixed none
     std::vector<Comparison> by_level;  ///< one for each scene, camera and two variants
     /// Of a comparison over three levels, every two, up to kMostPairedConditions conditions.
     std::vector<Comparison> by_pair;
@@ -297,11 +310,14 @@ enum class Conclusion { kUndecided, kBPreferred, kAPreferred, kEqual, kDiffers, 
 
 /// `undecided`, `B preferred over A`, `A preferred over B`, `practically equal (within 15 points)`;
 /// on validity `the effect differs with lighting`, `equal within 15 points`; `not tested`.
-[[nodiscard]] std::string to_string(Conclusion conclusion);
+[[nodiscard]] std::string to_string(Conclusion conclusion, double margin);
 
 struct Verdict {
     std::string hypothesis;
+    std::string statement;  ///< may be empty
     bool is_on_validity = false;
+    bool is_primary = true;               ///< secondary: p alone decides, and nothing is corrected
+    double margin = kRelevantDifference;  ///< the smallest effect that matters
     Conclusion conclusion = Conclusion::kNotTested;
     /// There is a preference, or the effect differs, and by less than a study is taken to care
     /// about.
@@ -309,7 +325,7 @@ struct Verdict {
     std::string direction;  ///< where the effect differs: `B more often at high than at moderate`
     /// Of the test that the verdict rests on; of validity, of the comparison with the smallest.
     Possible<PValue> p = Possible<PValue>::none("no votes");
-    /// After Holm's correction over the tests of all verdicts.
+    /// After Holm's correction over the tests of all primary hypotheses.
     Possible<double> p_holm = Possible<double>::none("no votes");
     std::size_t tests = 0;  ///< that were corrected together
     /// 95 %, of the share of B; of validity, of the difference that may be largest.
@@ -325,10 +341,6 @@ struct Verdict {
 /// The confidence of intervals that lie within a margin just where two one-sided tests at
 /// kSignificance say so.
 inline constexpr double kEqualityConfidence = 1.0 - 2.0 * kSignificance;
-
-/// A difference between two levels of validity that a study is taken to care about: as from one
-/// half to kRelevantShare.
-inline constexpr double kRelevantDifference = .15;
 
 /// How verdicts are reached, in words.
 [[nodiscard]] std::string verdict_rule();
@@ -355,8 +367,9 @@ struct ResamplingResult {
 struct Analysis {
     Tally tally;
     std::vector<ConditionResult> conditions;
-    std::string sentence;                      ///< what the conditions say, before and after Holm
-    std::vector<HypothesisResult> hypotheses;  ///< in order of their names
+    std::string sentence;  ///< what the conditions say, before and after Holm
+    Family family;
+    std::vector<HypothesisResult> hypotheses;  ///< those on a preference, as in the family
     Possible<ValidityResult> validity = Possible<ValidityResult>::none("not asked");
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
     std::vector<VariantScale> scales;  ///< one for each group that pairs connect, with votes

@@ -60,6 +60,20 @@ class Families {
         return several;
     }
 
+    /// The conditions of those ids, where they are all of one group.
+    [[nodiscard]] SamePair of(const std::vector<std::string>& ids) const {
+        for (const SamePair& family : families_) {
+            SamePair own;
+            for (const ConditionVotes* condition : family) {
+                if (std::find(ids.begin(), ids.end(), condition->id) != ids.end()) {
+                    own.push_back(condition);
+                }
+            }
+            if (own.size() == ids.size()) return own;
+        }
+        return {};
+    }
+
     [[nodiscard]] bool is_turned(const ConditionVotes* condition) const {
         return std::any_of(turned_.begin(), turned_.end(),
                            [&](const ConditionVotes& own) { return &own == condition; });
@@ -237,25 +251,48 @@ std::string_view to_string(DifferenceKind kind) {
     return "";
 }
 
-Possible<ValidityResult> test_validity(const Tally& tally) {
-    const bool is_published = is_published_votes(tally);
-    if (!is_built_in(tally) && !tally.asks_validity) {
+Possible<ValidityResult> test_validity(const Tally& tally, const Family& family) {
+    const PlannedHypothesis* const planned = family.interaction();
+    const bool is_fixed = family.origin == FamilyOrigin::kPlan;
+    if (planned == nullptr && !tally.asks_validity && (is_fixed || !is_built_in(tally))) {
         return Possible<ValidityResult>::none("the study does not ask it");
     }
     ValidityResult result;
-    result.name = name_of(tally);
-    const Families families(tally, true);
-    for (const SamePair& family : families.at_several_levels()) {
-        result.by_level.push_back(comparison_of(family, families));
-        if (family.size() == 2) continue;
-        for (Comparison& pair : pairs_of(family, families)) result.by_pair.push_back(pair);
+    if (planned != nullptr) {
+        result.name = planned->id;
+        result.statement = planned->statement;
+        result.margin = planned->margin;
+        result.is_primary = planned->is_primary;
+        result.planned = planned->pairs.size();
+    } else {
+        result.name = name_of(tally);
+        result.is_primary = !is_fixed;
+    }
+    // The study vouches for its pairs: what an answer says of its scene may hold the light.
+    const Families families(tally, planned == nullptr);
+    std::vector<SamePair> compared;
+    if (planned == nullptr) {
+        compared = families.at_several_levels();
+    } else {
+        for (const auto& pair : planned->pairs) {
+            if (SamePair own = families.of(pair); !own.empty()) compared.push_back(std::move(own));
+        }
+    }
+    for (const SamePair& pair : compared) {
+        result.by_level.push_back(comparison_of(pair, families));
+        if (pair.size() == 2) continue;
+        for (Comparison& two : pairs_of(pair, families)) result.by_pair.push_back(two);
     }
     result.without_partner = without_partner(tally, result.by_level);
-    if (result.by_level.empty()) result.no_comparison = why_none(tally);
-    if (is_published) {
+    if (result.by_level.empty()) {
+        result.no_comparison = planned == nullptr
+                                   ? why_none(tally)
+                                   : "nobody answered both conditions of a pair that it compares";
+    }
+    if (is_published_votes(tally)) {
         const Families over_scenes(tally, false);
-        for (const SamePair& family : over_scenes.at_several_levels()) {
-            result.across_scenes.push_back(comparison_of(family, over_scenes));
+        for (const SamePair& level : over_scenes.at_several_levels()) {
+            result.across_scenes.push_back(comparison_of(level, over_scenes));
         }
     }
     result.sentence = sentence_of(result);

@@ -6,9 +6,11 @@
 
 namespace obscura::analysis {
 
-/// Whether the preference depends on validity, where that is asked: by the built-in study, its
-/// published votes, or Tally::asks_validity. Otherwise no value, with the reason. Intervals are
-/// from the same participants or from counts; resample() draws anew those that need it.
-[[nodiscard]] Possible<ValidityResult> test_validity(const Tally& tally);
+/// Whether the preference depends on validity, where that is asked: by an interaction of the family
+/// (then of just its pairs), by answers to the built-in study, or by Tally::asks_validity, which is
+/// secondary where the study fixed its family without it. Otherwise no value, with the reason.
+/// Intervals are from the same participants or from counts; resample() draws anew those that need
+/// it.
+[[nodiscard]] Possible<ValidityResult> test_validity(const Tally& tally, const Family& family);
 
 }  // namespace obscura::analysis

@@ -35,6 +35,9 @@ constexpr const char* kExclusion =
     "The study file's rule on whom to leave out, as JSON: smallest share of catch trials answered "
     "as expected, of repeated pairs answered alike, smallest median response time in seconds; "
     "empty: no rule";
+constexpr const char* kStudyPlan =
+    "What the study file fixed before there were data, as JSON: the hypotheses with the conditions "
+    "that they take; empty: nothing";
 constexpr const char* kExpected =
     "Variant that an attentive observer picks; empty: no attention check";
 constexpr const char* kRepeats =
@@ -168,6 +171,7 @@ const ExportTable<SessionRow>& sessions_export() {
                  "Hz",
                  of_own_session<&R::refresh_hz>},
                 {"exclusion", kExclusion, {}, "", of_own_session<&R::exclusion>},
+                {"study_plan", kStudyPlan, {}, "", of_own_session<&R::study_plan>},
             }};
         const auto counts = event_count_columns();
         sessions.columns.insert(sessions.columns.end(), counts.begin(), counts.end());
@@ -289,6 +293,7 @@ const ExportTable<TrialRow>& trials_export() {
             {"expected", kExpected, kSides, "", of_trial<&T::expected>},
             {"repeats", kRepeats, {}, "", of_trial<&T::repeats>},
             {"exclusion", kExclusion, {}, "", of_session<&S::exclusion>},
+            {"study_plan", kStudyPlan, {}, "", of_session<&S::study_plan>},
             {"study_A",
              "Which of the two variants the study calls A",
              {},

@@ -99,6 +99,7 @@ void put_share_interval(Json& object, const std::string& name,
 Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
+    object["unanswered"] = result.unanswered;
     if (result.pooling.has_value()) {
         object["pooled_as"] = result.pooling->words;
         put_votes(object, result.pooled.votes);
@@ -320,6 +321,7 @@ std::string json_report(const Analysis& analysis) {
         put_none(report, "kind", "the counts do not say");
         put_none(report, "simulated", "the counts do not say");
     }
+    report["family"] = analysis.family.words;
     report["significance_level"] = kSignificance;
     report["confidence"] = kConfidence;
     put_results(report, analysis);

@@ -68,6 +68,9 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     put(hypothesis, "verdict_p_holm", verdict.p_holm);
     put_interval(hypothesis, "verdict_interval", verdict.interval);
     put_interval(hypothesis, "verdict_interval_90", verdict.equality);
+    hypothesis["statement"] = verdict.statement;
+    hypothesis["role"] = verdict.is_primary ? "primary" : "secondary";
+    hypothesis["margin"] = verdict.margin;
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 

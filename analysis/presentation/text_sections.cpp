@@ -108,7 +108,7 @@ std::string rule_words(const ExclusionRule& rule) {
 std::string verdicts_text(const Analysis& analysis) {
     std::string text = "\n";
     for (const Verdict& verdict : analysis.verdicts) text += verdict.sentence + '\n';
-    return wrapped(text + verdict_rule() + '\n');
+    return wrapped(text + analysis.family.words + ' ' + verdict_rule() + '\n');
 }
 
 std::string power_text(const Possible<RunPower>& power) {

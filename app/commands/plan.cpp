@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "analysis/conclusions/pooling.h"
 #include "app/commands/list.h"
+#include "app/commands/planned_tally.h"
 #include "stimuli/order/balance.h"
 #include "stimuli/study.h"
 
@@ -116,11 +119,60 @@ void print_block(const Study& study, std::uint64_t participants) {
     }
 }
 
+std::string conditions_of(const stimuli::Hypothesis& hypothesis) {
+    if (hypothesis.kind == stimuli::HypothesisKind::kPreference) {
+        return fmt::format("{}", fmt::join(hypothesis.conditions, ", "));
+    }
+    std::vector<std::string> pairs;
+    for (const auto& pair : hypothesis.pairs) {
+        pairs.push_back(fmt::format("{}", fmt::join(pair, " against ")));
+    }
+    return fmt::format("{}", fmt::join(pairs, "; "));
+}
+
+/// The family as the answers will be tested: what cannot be pooled is said before there are any.
+void print_hypotheses(const Study& study) {
+    if (study.hypotheses.empty()) {
+        fmt::print(
+            "No [[hypothesis]]: nothing is fixed before there are data but what the conditions "
+            "name.\n\n");
+        return;
+    }
+    const analysis::Tally tally = planned_tally(study);
+    fmt::print("Hypotheses, as every session will carry them\n");
+    std::size_t tests = 0;
+    std::vector<std::string> taken;
+    for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
+        const bool is_primary = hypothesis.role == stimuli::HypothesisRole::kPrimary;
+        const bool is_preference = hypothesis.kind == stimuli::HypothesisKind::kPreference;
+        if (is_primary) tests += is_preference ? 1 : hypothesis.pairs.size();
+        fmt::print("  {}, {} {}, margin {:g} points: {}\n      {}\n", hypothesis.id,
+                   to_string(hypothesis.role), to_string(hypothesis.kind),
+                   100.0 * hypothesis.margin, conditions_of(hypothesis), hypothesis.statement);
+        taken.insert(taken.end(), hypothesis.conditions.begin(), hypothesis.conditions.end());
+        for (const auto& pair : hypothesis.pairs)
+            taken.insert(taken.end(), pair.begin(), pair.end());
+        if (!is_preference) continue;
+        const auto pooling = pooling_of(tally, hypothesis.conditions);
+        fmt::print("      {}\n", pooling.has_value()
+                                     ? pooling->words
+                                     : "cannot be tested, and counts as p = 1: " + pooling.reason);
+    }
+    fmt::print("Holm's correction is over {} test{}, those of the primary ones.\n", tests,
+               tests == 1 ? "" : "s");
+    for (const analysis::ConditionVotes& condition : tally.conditions) {
+        if (std::find(taken.begin(), taken.end(), condition.id) != taken.end()) continue;
+        fmt::print("{} is part of no hypothesis.\n", condition.id);
+    }
+    fmt::print("\n");
+}
+
 void print_text(const Study& study, const std::vector<SessionOrder>& sessions,
                 const Balance& balance) {
     const std::vector<std::string> ids = ids_of(study);
     fmt::print("Study {}, order {}, seed {}, {} conditions, {} participants\n\n", study.name,
                to_string(study.order), study.seed, ids.size(), sessions.size());
+    print_hypotheses(study);
     print_sessions(sessions, ids);
     std::vector<std::string> positions;
     for (std::size_t i = 1; i <= ids.size(); ++i) positions.push_back(std::to_string(i));
@@ -163,10 +215,11 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
     const std::vector<std::string> ids = ids_of(study);
     const std::uint64_t block = stimuli::block_size(study.order, static_cast<int>(ids.size()));
     fmt::print(
-        "{{\"study\": {}, \"order\": {}, \"seed\": {}, \"n_participants\": {}, "
+        "{{\"study\": {}, \"fixed\": {}, \"order\": {}, \"seed\": {}, \"n_participants\": {}, "
         "\"block\": {}, \"whole_blocks\": {},\n\"balance\": {},\n\"participants\": [",
-        Json(study.name).dump(), Json(to_string(study.order)).dump(), study.seed, sessions.size(),
-        block, sessions.size() % block == 0, to_json(balance, ids).dump());
+        Json(study.name).dump(), study.plan_json().empty() ? "null" : study.plan_json(),
+        Json(to_string(study.order)).dump(), study.seed, sessions.size(), block,
+        sessions.size() % block == 0, to_json(balance, ids).dump());
     for (const SessionOrder& session : sessions) {
         std::vector<std::string> shown;
         for (const int condition : session.conditions) shown.push_back(ids[condition]);

@@ -212,7 +212,8 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .gpu_renderer = plan_.machine.gpu_renderer,
                     .display = plan_.machine.display,
                     .refresh_hz = plan_.machine.refresh_hz,
-                    .exclusion = study_->exclusion.to_json()};
+                    .exclusion = study_->exclusion.to_json(),
+                    .study_plan = study_->plan_json()};
     rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
     show(Screen::kInstructions);
     return {std::move(rows)};

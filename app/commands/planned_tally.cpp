@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/planned_tally.h"
+
+#include <algorithm>
+
+#include "analysis/conclusions/pooling.h"
+#include "analysis/text/natural_order.h"
+#include "stimuli/variant_names.h"
+#include "stimuli/view_names.h"
+
+namespace obscura::app {
+
+analysis::Tally planned_tally(const stimuli::Study& study) {
+    analysis::Tally tally;
+    tally.source = study.name;
+    tally.study = study.name;
+    const stimuli::VariantNames names = stimuli::variant_names(study);
+    for (const stimuli::Condition& condition : study.conditions) {
+        if (condition.expected != '\0' || !condition.repeats.empty()) continue;
+        analysis::ConditionVotes& votes = tally.conditions.emplace_back();
+        votes.id = condition.id;
+        votes.hypothesis = condition.hypothesis;
+        votes.validity = std::string(to_string(study.scene_of(condition).validity));
+        votes.variant_a = names.at({condition.id, 'a'});
+        votes.variant_b = names.at({condition.id, 'b'});
+        votes.view = condition.scene;
+    }
+    std::stable_sort(tally.conditions.begin(), tally.conditions.end(),
+                     [](const auto& one, const auto& other) {
+                         return analysis::naturally_before(one.id, other.id);
+                     });
+    tally.plan = analysis::study_plan(study.plan_json(), study.name);
+    analysis::name_views(tally, stimuli::view_names(study));
+    return tally;
+}
+
+analysis::Possible<analysis::Pooling> pooling_of(const analysis::Tally& tally,
+                                                 const std::vector<std::string>& conditions) {
+    std::vector<const analysis::ConditionVotes*> own;
+    for (const analysis::ConditionVotes& condition : tally.conditions) {
+        if (std::find(conditions.begin(), conditions.end(), condition.id) != conditions.end()) {
+            own.push_back(&condition);
+        }
+    }
+    return analysis::pooling_of(own);
+}
+
+}  // namespace obscura::app
