@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 
 constexpr const char* kAllowed =
     "is nothing, or a JSON object with hypotheses: objects with id, statement, kind (preference or "
-    "interaction), conditions or pairs (of ids), margin (0 to 0.5) and role (primary or secondary)";
+    "interaction), conditions or pairs (of ids), margin (0 to 0.5) and role (primary or "
+    "secondary), and sides (session or trial)";
 
 /// The text is no plan.
 struct NoPlan {};
@@ -78,8 +79,13 @@ StudyPlan parsed(std::string_view text) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) throw NoPlan{};
     for (const auto& [name, value] : json.items()) {
-        if (name != "hypotheses" || !value.is_array()) throw NoPlan{};
-        for (const Json& entry : value) plan.hypotheses.push_back(hypothesis_of(entry));
+        if (name == "hypotheses" && value.is_array()) {
+            for (const Json& entry : value) plan.hypotheses.push_back(hypothesis_of(entry));
+        } else if (name == "sides") {
+            plan.has_sides_by_trial = one_of(value, "session", "trial") == "trial";
+        } else {
+            throw NoPlan{};
+        }
     }
     const auto interactions = std::count_if(plan.hypotheses.begin(), plan.hypotheses.end(),
                                             [](const auto& own) { return own.is_interaction; });

@@ -25,6 +25,7 @@ struct PlannedHypothesis {
 /// What a study fixes before it has data, but the rule of exclusion.
 struct StudyPlan {
     std::vector<PlannedHypothesis> hypotheses;  ///< in the study's order; empty: none are fixed
+    bool has_sides_by_trial = false;            ///< A and B change places within a session
 
     bool operator==(const StudyPlan&) const = default;
 };

@@ -63,7 +63,12 @@ std::string Study::plan_json() const {
         entry["role"] = to_string(hypothesis.role);
         json["hypotheses"].push_back(std::move(entry));
     }
+    if (sides != Sides::kSession) json["sides"] = to_string(sides);
     return json.empty() ? "" : json.dump();
+}
+
+SessionOrder Study::session_order(std::uint64_t slot) const {
+    return stimuli::session_order(order, static_cast<int>(conditions.size()), seed, slot, sides);
 }
 
 renderer::FrameOptions Study::frame_options() const {

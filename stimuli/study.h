@@ -96,6 +96,7 @@ struct Study {
     std::vector<std::string> advance = {"space"};
     bool pointer = false;  ///< a click or touch anywhere does too
     OrderKind order = OrderKind::kLatinSquare;
+    Sides sides = Sides::kSession;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
@@ -108,8 +109,11 @@ struct Study {
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
     /// How every image of the study is rendered, whoever asks for it.
     [[nodiscard]] renderer::FrameOptions frame_options() const;
+    /// What the participant of that slot sees.
+    [[nodiscard]] SessionOrder session_order(std::uint64_t slot) const;
     /// What the study fixes before it has data, but the rule of exclusion, as a JSON object:
-    /// `hypotheses` with the members of Hypothesis. Empty text where it fixes nothing.
+    /// `hypotheses` with the members of Hypothesis, and `sides` where they are of a trial. Empty
+    /// text where it fixes nothing.
     [[nodiscard]] std::string plan_json() const;
     /// The condition of that id, or nullptr.
     [[nodiscard]] const Condition* find_condition(std::string_view id) const;

@@ -28,7 +28,10 @@ const Levels kSides{{"A", "variant A of the condition"}, {"B", "variant B of the
 constexpr const char* kUtc = "Time in UTC, ISO 8601";
 constexpr const char* kSha256 = "SHA-256 of the image file, 64 hexadecimal digits";
 constexpr const char* kSeed = "Seed of the study, from which the order was drawn";
-constexpr const char* kSwapped = "Whether variant B was shown first in every pair of the session";
+constexpr const char* kSwapped =
+    "Whether variant B was shown first in every pair of the session; where the study balances the "
+    "sides within a session, in the pairs of every other condition only: first_shown of a trial "
+    "says it";
 constexpr const char* kSquare = "Number of the square that gave the order, from 0";
 constexpr const char* kRow = "Row of that square, from 0";
 constexpr const char* kExclusion =

@@ -68,8 +68,7 @@ void remove_log(const fs::path& file) {
     plan.session_id = fmt::format("simulated-s{:04}", number);
     plan.kind = Kind::kSimulated;
     plan.images = kiosk::images_of(study, manifest);
-    plan.order = stimuli::session_order(study.order, static_cast<int>(plan.images.size()),
-                                        study.seed, stimuli::next_slot(taken));
+    plan.order = study.session_order(stimuli::next_slot(taken));
     plan.machine = kiosk::simulated_machine();
     return plan;
 }

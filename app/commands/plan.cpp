@@ -36,7 +36,9 @@ std::vector<std::string> ids_of(const Study& study) {
     return ids;
 }
 
-std::string_view first_image(const SessionOrder& session) { return session.swapped ? "b" : "a"; }
+std::string_view first_image(const SessionOrder& session, std::size_t position) {
+    return session.b_first(position) ? "b" : "a";
+}
 
 void print_sessions(const std::vector<SessionOrder>& sessions,
                     const std::vector<std::string>& ids) {
@@ -46,8 +48,8 @@ void print_sessions(const std::vector<SessionOrder>& sessions,
         "participant  square  row  swapped  order of the conditions\n");
     for (const SessionOrder& session : sessions) {
         std::string shown;
-        for (const int condition : session.conditions) {
-            shown += fmt::format("  {}-{}", ids[condition], first_image(session));
+        for (std::size_t i = 0; i < session.conditions.size(); ++i) {
+            shown += fmt::format("  {}-{}", ids[session.conditions[i]], first_image(session, i));
         }
         fmt::print("{:>11}  {:>6}  {:>3}  {:>7}{}\n", session.slot + 1, session.latin_square,
                    session.latin_row, session.swapped ? "yes" : "no", shown);
@@ -79,6 +81,25 @@ void print_verdict(bool holds, const std::string& property, const std::string& c
     fmt::print("  {:<14}  {}: {}\n", holds ? "holds" : "does not hold", property, counted);
 }
 
+/// How many sessions have image A first in so many of their pairs.
+void print_session_sides(const Study& study, const Balance& balance) {
+    std::vector<std::string> counts;
+    for (std::size_t a_first = 0; a_first < balance.sessions_with_a_first.size(); ++a_first) {
+        const long long sessions = balance.sessions_with_a_first[a_first];
+        if (sessions > 0) {
+            counts.push_back(fmt::format("A first in {} of {} pairs in {} session{}", a_first,
+                                         balance.condition_count, sessions,
+                                         sessions == 1 ? "" : "s"));
+        }
+    }
+    print_verdict(balance.sides_hold_in_sessions(), "each side first equally often in each session",
+                  fmt::format("{}", fmt::join(counts, ", ")));
+    if (!balance.sides_hold_in_sessions() && study.sides == stimuli::Sides::kSession) {
+        fmt::print("{:>16}  sides = \"session\" does not promise this; sides = \"trial\" does\n",
+                   "");
+    }
+}
+
 void print_verdicts(const Study& study, const Balance& balance) {
     fmt::print("\nBalance\n");
     print_verdict(balance.rows_hold(), "each condition once in each row",
@@ -92,6 +113,7 @@ void print_verdicts(const Study& study, const Balance& balance) {
     print_verdict(balance.sides_hold(), "each image of a pair first equally often",
                   fmt::format("A first {}, B first {} in each condition", balance.a_first.front(),
                               balance.b_first.front()));
+    print_session_sides(study, balance);
     const stimuli::CountRange range = stimuli::range_off_diagonal(balance.neighbours);
     print_verdict(balance.neighbours_hold(),
                   "each condition directly after each other one equally often",
@@ -170,8 +192,9 @@ void print_hypotheses(const Study& study) {
 void print_text(const Study& study, const std::vector<SessionOrder>& sessions,
                 const Balance& balance) {
     const std::vector<std::string> ids = ids_of(study);
-    fmt::print("Study {}, order {}, seed {}, {} conditions, {} participants\n\n", study.name,
-               to_string(study.order), study.seed, ids.size(), sessions.size());
+    fmt::print("Study {}, order {}, sides {}, seed {}, {} conditions, {} participants\n\n",
+               study.name, to_string(study.order), to_string(study.sides), study.seed, ids.size(),
+               sessions.size());
     print_hypotheses(study);
     print_sessions(sessions, ids);
     std::vector<std::string> positions;
@@ -197,6 +220,8 @@ Json to_json(const Balance& balance, const std::vector<std::string>& ids) {
             {"each_condition_once_per_row", balance.rows_hold()},
             {"each_condition_once_per_column", balance.columns_hold()},
             {"each_image_first_equally_often", balance.sides_hold()},
+            {"each_side_first_equally_often_in_each_session", balance.sides_hold_in_sessions()},
+            {"sessions_with_a_first", balance.sessions_with_a_first},
             {"carry_over_balanced", balance.neighbours_hold()},
             {"complete_rows", balance.complete_rows},
             {"whole_squares", balance.squares},
@@ -215,20 +240,25 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
     const std::vector<std::string> ids = ids_of(study);
     const std::uint64_t block = stimuli::block_size(study.order, static_cast<int>(ids.size()));
     fmt::print(
-        "{{\"study\": {}, \"fixed\": {}, \"order\": {}, \"seed\": {}, \"n_participants\": {}, "
+        "{{\"study\": {}, \"fixed\": {}, \"order\": {}, \"sides\": {}, \"seed\": {}, "
+        "\"n_participants\": {}, "
         "\"block\": {}, \"whole_blocks\": {},\n\"balance\": {},\n\"participants\": [",
         Json(study.name).dump(), study.plan_json().empty() ? "null" : study.plan_json(),
-        Json(to_string(study.order)).dump(), study.seed, sessions.size(), block,
-        sessions.size() % block == 0, to_json(balance, ids).dump());
+        Json(to_string(study.order)).dump(), Json(to_string(study.sides)).dump(), study.seed,
+        sessions.size(), block, sessions.size() % block == 0, to_json(balance, ids).dump());
     for (const SessionOrder& session : sessions) {
         std::vector<std::string> shown;
-        for (const int condition : session.conditions) shown.push_back(ids[condition]);
+        std::vector<std::string> first;
+        for (std::size_t i = 0; i < session.conditions.size(); ++i) {
+            shown.push_back(ids[session.conditions[i]]);
+            first.emplace_back(first_image(session, i));
+        }
         const Json row = {{"participant", session.slot + 1},
                           {"slot", session.slot},
                           {"latin_square", session.latin_square},
                           {"latin_row", session.latin_row},
                           {"swapped", session.swapped},
-                          {"first_image", first_image(session)},
+                          {"first_images", first},
                           {"conditions", shown}};
         fmt::print("{}\n{}", session.slot == 0 ? "" : ",", row.dump());
     }
@@ -238,8 +268,8 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
 base::ExitCode plan(const PlanOptions& options) {
     const Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
     const int n = static_cast<int>(study.conditions.size());
-    const auto sessions = stimuli::session_orders(study.order, n, study.seed,
-                                                  static_cast<std::uint64_t>(options.participants));
+    const auto sessions = stimuli::session_orders(
+        study.order, n, study.seed, static_cast<std::uint64_t>(options.participants), study.sides);
     const Balance balance = stimuli::balance_of(sessions, n);
     (options.json ? print_json : print_text)(study, sessions, balance);
     return base::ExitCode::kDone;

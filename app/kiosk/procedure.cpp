@@ -44,7 +44,8 @@ void Procedure::change_order(stimuli::SessionOrder order) {
 
 const StimulusImage& Procedure::image(int pair, int position) const {
     const auto condition = static_cast<std::size_t>(plan_.order.conditions.at(pair));
-    const std::size_t side = (position == 0) == plan_.order.swapped ? 1 : 0;
+    const std::size_t side =
+        (position == 0) == plan_.order.b_first(static_cast<std::size_t>(pair)) ? 1 : 0;
     return plan_.images.at(condition).at(side);
 }
 
@@ -235,7 +236,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     const auto index = static_cast<std::size_t>(plan_.order.conditions.at(pair_));
     const stimuli::Condition& condition = study_->conditions.at(index);
     const stimuli::StudyScene& scene = study_->scene_of(condition);
-    const bool a_first = !plan_.order.swapped;
+    const bool a_first = !plan_.order.b_first(static_cast<std::size_t>(pair_));
     analysis::TrialRecord row;
     row.session_id = plan_.session_id;
     row.kind = condition.expected != '\0' ? analysis::Kind::kCatch : plan_.kind;

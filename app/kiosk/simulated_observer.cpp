@@ -93,7 +93,8 @@ using Memory = std::map<std::size_t, bool>;
             const auto condition = static_cast<std::size_t>(order.conditions.at(procedure.pair()));
             const double after_s = draw(random, kAnswering);
             const bool b = chooses_b(condition, choices, random, memory);
-            return {after_s, Answered{b == order.swapped}};
+            return {after_s,
+                    Answered{b == order.b_first(static_cast<std::size_t>(procedure.pair()))}};
         }
         default:
             return {draw(random, kPage), NextParticipant{}};
