@@ -141,7 +141,33 @@ std::vector<bool> left_out_by(const Attention& attention) {
     return left_out;
 }
 
+/// What verdicts rest on, of all who are in the tally.
+std::vector<Verdict> verdicts_of_all(Tally tally) {
+    Analysis analysis;
+    analysis.tally = std::move(tally);
+    for (const ConditionVotes& condition : analysis.tally.conditions) {
+        ConditionResult& result = analysis.conditions.emplace_back();
+        result.condition = {condition.id,        condition.hypothesis, condition.validity,
+                            condition.variant_a, condition.variant_b,  condition.votes,
+                            condition.view};
+    }
+    analysis.family = family_of(analysis.tally);
+    analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
+    analysis.validity = test_validity(analysis.tally, analysis.family);
+    test_participants(analysis.hypotheses, analysis.tally);
+    choose_intervals(analysis.hypotheses, analysis.tally);
+    return verdicts_of(analysis);
+}
+
 }  // namespace
+
+std::vector<Verdict> verdicts_on(Tally tally) {
+    if (tally.exclusion.has_value() && !tally.participants.empty()) {
+        const Attention attention = attention_of(tally, VotesByParticipant(tally));
+        return verdicts_of_all(without(tally, left_out_by(attention)));
+    }
+    return verdicts_of_all(std::move(tally));
+}
 
 Analysis analyse(Tally tally, std::uint64_t seed) {
     Analysis everybody = analyse_all(std::move(tally), seed);

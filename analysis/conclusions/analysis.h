@@ -391,4 +391,8 @@ inline constexpr std::uint64_t kAnalysisSeed = 20100501;
 /// participants whom it leaves in, and Exclusions::everybody that of all.
 [[nodiscard]] Analysis analyse(Tally tally, std::uint64_t seed = kAnalysisSeed);
 
+/// The verdicts of that analysis alone, without what none of them rests on: for simulations, which
+/// ask it thousands of times.
+[[nodiscard]] std::vector<Verdict> verdicts_on(Tally tally);
+
 }  // namespace obscura::analysis

@@ -10,6 +10,20 @@
 #include "stimuli/view_names.h"
 
 namespace obscura::app {
+namespace {
+
+std::vector<const analysis::ConditionVotes*> conditions_in(
+    const analysis::Tally& tally, const std::vector<std::string>& conditions) {
+    std::vector<const analysis::ConditionVotes*> own;
+    for (const analysis::ConditionVotes& condition : tally.conditions) {
+        if (std::find(conditions.begin(), conditions.end(), condition.id) != conditions.end()) {
+            own.push_back(&condition);
+        }
+    }
+    return own;
+}
+
+}  // namespace
 
 analysis::Tally planned_tally(const stimuli::Study& study) {
     analysis::Tally tally;
@@ -37,13 +51,18 @@ analysis::Tally planned_tally(const stimuli::Study& study) {
 
 analysis::Possible<analysis::Pooling> pooling_of(const analysis::Tally& tally,
                                                  const std::vector<std::string>& conditions) {
-    std::vector<const analysis::ConditionVotes*> own;
-    for (const analysis::ConditionVotes& condition : tally.conditions) {
-        if (std::find(conditions.begin(), conditions.end(), condition.id) != conditions.end()) {
-            own.push_back(&condition);
-        }
+    return analysis::pooling_of(conditions_in(tally, conditions));
+}
+
+std::vector<std::string> turned_in(const analysis::Tally& tally,
+                                   const std::vector<std::string>& conditions) {
+    const auto own = conditions_in(tally, conditions);
+    std::vector<std::string> turned;
+    const auto pooling = analysis::pooling_of(own);
+    for (std::size_t i = 0; pooling.has_value() && i < own.size(); ++i) {
+        if (pooling->turned[i]) turned.push_back(own[i]->id);
     }
-    return analysis::pooling_of(own);
+    return turned;
 }
 
 }  // namespace obscura::app

@@ -19,4 +19,8 @@ namespace obscura::app {
 [[nodiscard]] analysis::Possible<analysis::Pooling> pooling_of(
     const analysis::Tally& tally, const std::vector<std::string>& conditions);
 
+/// Those of the conditions in which what is called A is that B.
+[[nodiscard]] std::vector<std::string> turned_in(const analysis::Tally& tally,
+                                                 const std::vector<std::string>& conditions);
+
 }  // namespace obscura::app
