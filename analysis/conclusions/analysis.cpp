@@ -128,7 +128,7 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
         analyse_participants(analysis, seed);
     }
     choose_intervals(analysis.hypotheses, analysis.tally);
-    analysis.power = run_power(analysis.conditions, analysis.hypotheses);
+    analysis.power = run_power(analysis.conditions);
     analysis.verdicts = verdicts_of(analysis);
     return analysis;
 }

@@ -279,7 +279,9 @@ inline constexpr double kRelevantShare = .65;
 /// The power that is asked for.
 inline constexpr double kAskedPower = .8;
 
-/// What the number of votes that a condition got could show.
+/// What the number of votes that a condition got could show, whatever they were: at the share that
+/// was observed, power would say nothing that the p-value does not (J. M. Hoenig and D. M. Heisey
+/// 2001).
 struct RunPower {
     struct At {
         double share = 0.0;
@@ -288,21 +290,12 @@ struct RunPower {
         TestPower
             holm;  ///< exact, at the level that passes Holm's correction whatever the others do
     };
-    /// Participants who would have been needed for kAskedPower at the share that was observed.
-    struct Needed {
-        std::string name;  ///< of the condition or hypothesis
-        double share_b = 0.0;
-        Possible<std::int64_t> exact = Possible<std::int64_t>::none("not known");
-        Possible<std::int64_t> holm = Possible<std::int64_t>::none("not known");
-    };
     std::int64_t n = 0;      ///< votes of a condition: the median over those that have any
     std::size_t tests = 1;   ///< conditions that are tested
     std::vector<At> shares;  ///< as kPowerShares
     /// The smallest share that n votes detect with kAskedPower.
     Possible<double> detectable = Possible<double>::none("no share");
     Possible<double> detectable_holm = Possible<double>::none("no share");
-    std::vector<Needed> conditions;
-    std::vector<Needed> hypotheses;  ///< for the pooled share, one vote a participant
 };
 
 /// What the answers say about a hypothesis.

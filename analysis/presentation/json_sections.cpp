@@ -13,18 +13,6 @@ void put_test_power(Json& object, const std::string& name, const TestPower& powe
     object[name + "_true_size"] = power.true_size;
 }
 
-Json needed_json(const std::vector<RunPower::Needed>& list) {
-    Json array = Json::array();
-    for (const RunPower::Needed& needed : list) {
-        Json& entry = array.emplace_back();
-        entry["name"] = needed.name;
-        entry["share_b"] = needed.share_b;
-        put(entry, "participants_needed", needed.exact);
-        put(entry, "participants_needed_holm", needed.holm);
-    }
-    return array;
-}
-
 void put_successes(Json& object, const std::string& name, const Successes& trials) {
     object[name] = {{"n", trials.n}, {"successes", trials.successes}};
 }
@@ -90,8 +78,6 @@ void put_power(Json& report, const Possible<RunPower>& power) {
     object["asked_power"] = kAskedPower;
     put(object, "detectable_share", power->detectable);
     put(object, "detectable_share_holm", power->detectable_holm);
-    object["conditions"] = needed_json(power->conditions);
-    object["hypotheses"] = needed_json(power->hypotheses);
     report["power"] = std::move(object);
 }
 

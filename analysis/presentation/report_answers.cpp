@@ -139,7 +139,7 @@ void add_published_study(ReportDraft& draft) {
     points.push_back(
         "An even split such as 18 : 18 is not proof that people saw no difference: its 95 % "
         "interval reaches from 34 to 66 %.");
-    points.push_back("How many participants would have been needed is in the part on power below.");
+    points.push_back("What 36 answers a pair could have shown is in the part on power below.");
     draft.page.list(points);
 }
 
