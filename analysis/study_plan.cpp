@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "analysis/text/text.h"
@@ -18,7 +19,8 @@ using Json = nlohmann::json;
 constexpr const char* kAllowed =
     "is nothing, or a JSON object with hypotheses: objects with id, statement, kind (preference or "
     "interaction), conditions or pairs (of ids), margin (0 to 0.5) and role (primary or "
-    "secondary), and sides (session or trial)";
+    "secondary), sides (session or trial), and stopping: an object with looks (rising numbers of "
+    "participants, one where nothing is spent) and spending (none, obrien-fleming or pocock)";
 
 /// The text is no plan.
 struct NoPlan {};
@@ -73,6 +75,34 @@ PlannedHypothesis hypothesis_of(const Json& object) {
     return hypothesis;
 }
 
+PlannedLooks looks_of(const Json& object) {
+    if (!object.is_object()) throw NoPlan{};
+    PlannedLooks looks;
+    for (const auto& [name, value] : object.items()) {
+        if (name == "spending") {
+            const auto spending = spending_from(text_of(value));
+            if (!spending) throw NoPlan{};
+            looks.spending = *spending;
+        } else if (name == "looks" && value.is_array()) {
+            for (const Json& look : value) {
+                if (!look.is_number_unsigned()) throw NoPlan{};
+                looks.looks.push_back(look.get<std::int64_t>());
+            }
+        } else {
+            throw NoPlan{};
+        }
+    }
+    const auto& list = looks.looks;
+    const bool rises =
+        std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    const bool is_one = looks.spending == Spending::kNone;
+    if (list.empty() || list.front() < 1 || !rises || list.size() > kMostLooks ||
+        (is_one && list.size() > 1)) {
+        throw NoPlan{};
+    }
+    return looks;
+}
+
 StudyPlan parsed(std::string_view text) {
     StudyPlan plan;
     if (text.empty()) return plan;
@@ -81,6 +111,8 @@ StudyPlan parsed(std::string_view text) {
     for (const auto& [name, value] : json.items()) {
         if (name == "hypotheses" && value.is_array()) {
             for (const Json& entry : value) plan.hypotheses.push_back(hypothesis_of(entry));
+        } else if (name == "stopping") {
+            plan.stopping = looks_of(value);
         } else if (name == "sides") {
             plan.has_sides_by_trial = one_of(value, "session", "trial") == "trial";
         } else {

@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "analysis/statistics/alpha_spending.h"
 
 namespace obscura::analysis {
 
 /// A question that a study fixes before it has data.
 struct PlannedHypothesis {
     std::string id;
-    std::string statement;                ///< a sentence; may be empty
-    bool is_interaction = false;          ///< does the preference differ between conditions?
-    std::vector<std::string> conditions;  ///< of a preference: those it pools
+    std::string statement = {};                ///< a sentence; may be empty
+    bool is_interaction = false;               ///< does the preference differ between conditions?
+    std::vector<std::string> conditions = {};  ///< of a preference: those it pools
     std::vector<std::vector<std::string>> pairs = {};  ///< of an interaction: each is one test
     double margin = 0.15;    ///< of a share: the smallest effect that matters
     bool is_primary = true;  ///< its tests are corrected together
@@ -22,9 +25,18 @@ struct PlannedHypothesis {
     bool operator==(const PlannedHypothesis&) const = default;
 };
 
+/// When a study looks at its answers.
+struct PlannedLooks {
+    std::vector<std::int64_t> looks;  ///< participants at each, rising; at least one
+    Spending spending = Spending::kNone;  ///< kNone for one look only
+
+    bool operator==(const PlannedLooks&) const = default;
+};
+
 /// What a study fixes before it has data, but the rule of exclusion.
 struct StudyPlan {
     std::vector<PlannedHypothesis> hypotheses;  ///< in the study's order; empty: none are fixed
+    std::optional<PlannedLooks> stopping = {};
     bool has_sides_by_trial = false;            ///< A and B change places within a session
 
     bool operator==(const StudyPlan&) const = default;

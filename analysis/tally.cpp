@@ -363,6 +363,7 @@ Tally without(const Tally& tally, const std::vector<bool>& left_out) {
     kept.participants = tally.participants;
     kept.exclusion = tally.exclusion;
     kept.plan = tally.plan;
+    kept.looks_before = tally.looks_before;
     kept.asks_validity = tally.asks_validity;
     kept.n_participants = std::count(left_out.begin(), left_out.end(), false);
     OrderVotes order;

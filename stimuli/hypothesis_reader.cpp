@@ -15,6 +15,8 @@ namespace {
 using Need = TableReader::Need;
 
 constexpr std::size_t kLongestStatement = 500;
+constexpr std::size_t kMostLooks = 50;
+constexpr std::int64_t kMostParticipants = 1'000'000;
 constexpr double kSmallestMargin = 0.01;
 constexpr double kLargestMargin = 0.49;
 
@@ -204,6 +206,38 @@ void settle_hypotheses(Study& study, const std::vector<const toml::table*>& cond
                                    did_you_mean(condition.hypothesis, ids)));
         }
     }
+}
+
+void read_stopping(const toml::table& table, Study& study, std::vector<StudyProblem>& problems) {
+    TableReader reader(table, "stopping", problems);
+    const std::string wanted =
+        fmt::format("an array of 1 to {} rising numbers of participants, 1 to {}: [12, 24, 36]",
+                    kMostLooks, kMostParticipants);
+    StoppingRule& rule = study.stopping;
+    if (const toml::array* looks = reader.array("looks", Need::kRequired, wanted)) {
+        for (const toml::node& node : *looks) {
+            const auto look = node.value<std::int64_t>().value_or(0);
+            const bool rises = rule.looks.empty() || look > rule.looks.back();
+            if (!node.is_integer() || look < 1 || look > kMostParticipants || !rises) {
+                rule.looks.clear();
+                break;
+            }
+            rule.looks.push_back(static_cast<int>(look));
+        }
+        if (rule.looks.empty() || rule.looks.size() > kMostLooks) {
+            reader.add("looks", "is no such list, allowed is " + wanted);
+        }
+    }
+    rule.spending = reader.choice("spending", Need::kOptional,
+                                  {kSpendings.begin(), kSpendings.end()})
+                        .value_or(rule.spending);
+    if (rule.looks.size() > 1 && rule.spending == "none") {
+        reader.add("looks",
+                   fmt::format("are {} with spending \"none\", allowed is one look, or spending = "
+                               "\"obrien-fleming\" or \"pocock\"",
+                               rule.looks.size()));
+    }
+    reader.finish();
 }
 
 }  // namespace obscura::stimuli

@@ -22,4 +22,7 @@ void settle_hypotheses(Study& study, const std::vector<const toml::table*>& cond
                        const std::vector<const toml::table*>& hypotheses,
                        std::vector<StudyProblem>& problems);
 
+/// The table [stopping].
+void read_stopping(const toml::table& table, Study& study, std::vector<StudyProblem>& problems);
+
 }  // namespace obscura::stimuli

@@ -63,7 +63,10 @@ std::string Study::plan_json() const {
         entry["role"] = to_string(hypothesis.role);
         json["hypotheses"].push_back(std::move(entry));
     }
-    if (sides != Sides::kSession) json["sides"] = to_string(sides);
+    if (!stopping.looks.empty()) {
+        json["stopping"] = {{"looks", stopping.looks}, {"spending", stopping.spending}};
+    }
+    if (sides != SideOrder::kSession) json["sides"] = to_string(sides);
     return json.empty() ? "" : json.dump();
 }
 

@@ -70,6 +70,15 @@ struct ExclusionRule {
     [[nodiscard]] std::string to_json() const;
 };
 
+/// When a study looks at its answers, fixed before there are data.
+struct StoppingRule {
+    std::vector<int> looks;         ///< participants at each, rising; empty: it is not fixed
+    std::string spending = "none";  ///< one of kSpendings; none for one look only
+};
+
+/// How the level may be shared out over looks.
+inline constexpr std::array kSpendings{"none", "obrien-fleming", "pocock"};
+
 /// A text of a study file that a participant may read.
 struct ShownText {
     std::string key;  ///< as in the file: question
@@ -96,12 +105,13 @@ struct Study {
     std::vector<std::string> advance = {"space"};
     bool pointer = false;  ///< a click or touch anywhere does too
     OrderKind order = OrderKind::kLatinSquare;
-    Sides sides = Sides::kSession;
+    SideOrder sides = SideOrder::kSession;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
     std::vector<Hypothesis> hypotheses;  ///< the family; empty: the labels of the conditions are it
     ExclusionRule exclusion;
+    StoppingRule stopping;
     std::vector<ShownText> shown_texts;  ///< title, question, instructions, thanks, as far as given
     std::string sha256;                  ///< of the file's bytes
     std::filesystem::path folder;        ///< of the file; what its paths are relative to
@@ -112,8 +122,8 @@ struct Study {
     /// What the participant of that slot sees.
     [[nodiscard]] SessionOrder session_order(std::uint64_t slot) const;
     /// What the study fixes before it has data, but the rule of exclusion, as a JSON object:
-    /// `hypotheses` with the members of Hypothesis, and `sides` where they are of a trial. Empty
-    /// text where it fixes nothing.
+    /// `hypotheses` with the members of Hypothesis, `stopping` with those of StoppingRule, and
+    /// `sides` where they are of a trial. Empty text where it fixes nothing.
     [[nodiscard]] std::string plan_json() const;
     /// The condition of that id, or nullptr.
     [[nodiscard]] const Condition* find_condition(std::string_view id) const;

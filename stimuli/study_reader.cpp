@@ -143,8 +143,8 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
     read_advance(reader, study);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);
-    const auto sides = reader.choice("sides", Need::kOptional, names_of(kSides));
-    if (sides) study.sides = *sides_from(*sides);
+    const auto sides = reader.choice("sides", Need::kOptional, names_of(kSideOrders));
+    if (sides) study.sides = *side_order_from(*sides);
     study.seed = static_cast<std::uint64_t>(
         reader.integer("seed", Need::kRequired, 0, std::numeric_limits<std::int64_t>::max())
             .value_or(0));
@@ -278,6 +278,8 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     settle_hypotheses(study, conditions, hypotheses, problems);
     const toml::table* exclusion = reader.table("exclusion", Need::kOptional);
     if (exclusion != nullptr) read_exclusion(*exclusion, study, problems);
+    const toml::table* stopping = reader.table("stopping", Need::kOptional);
+    if (stopping != nullptr) read_stopping(*stopping, study, problems);
     reader.finish();
 }
 

@@ -100,6 +100,7 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
     analysis.conditions = test_conditions(analysis.tally);
     analysis.sentence = sentence_of(analysis.conditions);
     analysis.family = family_of(analysis.tally);
+    analysis.look = look_of(analysis.tally);
     analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
     analysis.validity = test_validity(analysis.tally, analysis.family);
     analysis.scales = variant_scales(analysis.tally);

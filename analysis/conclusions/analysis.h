@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/conclusions/family.h"
+#include "analysis/conclusions/looks.h"
 #include "analysis/statistics/bayes_factor.h"
 #include "analysis/statistics/chi_square.h"
 #include "analysis/statistics/mcnemar.h"
@@ -362,6 +363,8 @@ struct Analysis {
     std::vector<ConditionResult> conditions;
     std::string sentence;  ///< what the conditions say, before and after Holm
     Family family;
+    /// Which look at the answers this is; verdicts are at that look.
+    Possible<LookResult> look = Possible<LookResult>::none("not known");
     std::vector<HypothesisResult> hypotheses;  ///< those on a preference, as in the family
     Possible<ValidityResult> validity = Possible<ValidityResult>::none("not asked");
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");

@@ -23,9 +23,13 @@ constexpr const char* kSecondary = "secondary: it stands alone";
 /// answered: a test that could not be computed is one of them, with p = 1.
 class CorrectedTests {
   public:
+    explicit CorrectedTests(const Possible<LookResult>& look) : look_(look) {}
+
     /// The place of the test in the family.
     std::size_t add(const Possible<PValue>& p) {
-        p_values_.push_back(p.has_value() ? p->p : 1.0);
+        p_values_.push_back(!p.has_value()      ? 1.0
+                            : look_.has_value() ? look_->spent(p->p)
+                                                : p->p);
         is_computed_.push_back(p.has_value());
         return p_values_.size() - 1;
     }
@@ -37,6 +41,7 @@ class CorrectedTests {
     }
 
   private:
+    const Possible<LookResult>& look_;
     std::vector<double> p_values_;
     std::vector<bool> is_computed_;
     std::vector<double> corrected_;
@@ -199,6 +204,18 @@ Verdict not_tested(const ValidityResult& validity, const std::string& why) {
     return verdict;
 }
 
+/// More participants will come: that nothing matters is not concluded before.
+void take_back_equality(Verdict& verdict) {
+    if (verdict.conclusion != Conclusion::kEqual && verdict.conclusion != Conclusion::kSame) return;
+    const std::string before = verdict_words(verdict);
+    verdict.conclusion = Conclusion::kUndecided;
+    const std::size_t place = verdict.sentence.find(before);
+    if (place != std::string::npos) {
+        verdict.sentence.replace(place, before.size(),
+                                 verdict_words(verdict) + " as long as participants are to come");
+    }
+}
+
 /// What follows from the test with the smallest p and from the difference that may be largest.
 void conclude_on_validity(Verdict& verdict, const Comparison* clearest, Widest& shown) {
     if (verdict.is_primary ? is_significant(verdict.p_holm) : is_significant(verdict.p)) {
@@ -332,7 +349,7 @@ bool reaches_difference(const Interval& interval, double margin) {
 }
 
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {
-    CorrectedTests family;
+    CorrectedTests family(analysis.look);
     std::vector<std::size_t> pooled_places;
     for (const HypothesisResult& result : analysis.hypotheses) {
         pooled_places.push_back(result.is_primary ? family.add(p_of(result)) : 0);
@@ -360,6 +377,10 @@ std::vector<Verdict> verdicts_of(const Analysis& analysis) {
     }
     if (analysis.validity.has_value()) {
         verdicts.push_back(verdict_on_validity(*analysis.validity, family, level_places));
+    }
+    if (analysis.look.has_value() && analysis.look->spending != Spending::kNone &&
+        analysis.look->is_interim) {
+        for (Verdict& verdict : verdicts) take_back_equality(verdict);
     }
     std::stable_sort(verdicts.begin(), verdicts.end(),
                      [](const Verdict& one, const Verdict& other) {

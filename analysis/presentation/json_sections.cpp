@@ -62,6 +62,21 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 
+void put_look(Json& report, const Possible<LookResult>& look) {
+    if (!look.has_value()) return put_none(report, "look", look.reason);
+    report["look"] = {{"number", look->looks.size()},
+                      {"looks", look->looks},
+                      {"planned", look->planned},
+                      {"is_planned", look->is_planned},
+                      {"is_interim", look->is_interim},
+                      {"spending", to_string(look->spending)},
+                      {"spent", look->boundary.spent},
+                      {"boundary_z", look->boundary.z},
+                      {"boundary_p", look->boundary.p},
+                      {"error", look->error},
+                      {"words", look->words}};
+}
+
 void put_power(Json& report, const Possible<RunPower>& power) {
     if (!power.has_value()) return put_none(report, "power", power.reason);
     Json object;

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-std::string number(const Possible<std::int64_t>& value) {
-    return value.has_value() ? std::to_string(*value) : kNoText;
-}
-
 std::string share(const Possible<double>& value) {
     return value.has_value() ? fmt::format("{:.4f}", *value) : kNoText;
 }
@@ -108,6 +104,7 @@ std::string rule_words(const ExclusionRule& rule) {
 std::string verdicts_text(const Analysis& analysis) {
     std::string text = "\n";
     for (const Verdict& verdict : analysis.verdicts) text += verdict.sentence + '\n';
+    if (analysis.look.has_value()) text += analysis.look->words + '\n';
     return wrapped(text + analysis.family.words + ' ' + verdict_rule() + '\n');
 }
 

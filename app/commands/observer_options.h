@@ -13,7 +13,7 @@ namespace obscura::app {
 
 /// What simulated observers are told of themselves.
 struct ObserverOptions {
-    std::vector<std::string> shares;  ///< CONDITION=SHARE, or SHARE for all that are not named
+    std::vector<std::string> shares = {};  ///< CONDITION=SHARE, or SHARE for all that are not named
     double sd = 0.0;
     double order_bias = 0.5;
     double careless = 0.0;

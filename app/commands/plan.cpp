@@ -94,7 +94,7 @@ void print_session_sides(const Study& study, const Balance& balance) {
     }
     print_verdict(balance.sides_hold_in_sessions(), "each side first equally often in each session",
                   fmt::format("{}", fmt::join(counts, ", ")));
-    if (!balance.sides_hold_in_sessions() && study.sides == stimuli::Sides::kSession) {
+    if (!balance.sides_hold_in_sessions() && study.sides == stimuli::SideOrder::kSession) {
         fmt::print("{:>16}  sides = \"session\" does not promise this; sides = \"trial\" does\n",
                    "");
     }

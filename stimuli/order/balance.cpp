@@ -16,9 +16,9 @@ bool Balance::columns_hold() const {
 
 bool Balance::sides_hold_in_sessions() const {
     const auto n = static_cast<std::size_t>(condition_count);
-    for (std::size_t a_first = 0; a_first <= n; ++a_first) {
-        const bool is_half = a_first == n / 2 || a_first == n - n / 2;
-        if (!is_half && sessions_with_a_first[a_first] > 0) return false;
+    for (std::size_t first = 0; first <= n; ++first) {
+        const bool is_half = first == n / 2 || first == n - n / 2;
+        if (!is_half && sessions_with_a_first[first] > 0) return false;
     }
     return true;
 }

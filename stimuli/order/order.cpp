@@ -131,24 +131,26 @@ std::optional<OrderKind> order_kind_from(std::string_view name) {
     return std::nullopt;
 }
 
-std::string_view to_string(Sides sides) { return sides == Sides::kTrial ? "trial" : "session"; }
+std::string_view to_string(SideOrder sides) {
+    return sides == SideOrder::kTrial ? "trial" : "session";
+}
 
-std::optional<Sides> sides_from(std::string_view name) {
-    for (const Sides sides : kSides) {
+std::optional<SideOrder> side_order_from(std::string_view name) {
+    for (const SideOrder sides : kSideOrders) {
         if (to_string(sides) == name) return sides;
     }
     return std::nullopt;
 }
 
 SessionOrder session_order(OrderKind kind, int condition_count, std::uint64_t seed,
-                           std::uint64_t slot, Sides sides) {
+                           std::uint64_t slot, SideOrder sides) {
     SessionOrder order = Scheduler(kind, condition_count, seed).at(slot);
     order.sides = sides;
     return order;
 }
 
 std::vector<SessionOrder> session_orders(OrderKind kind, int condition_count, std::uint64_t seed,
-                                         std::uint64_t slot_count, Sides sides) {
+                                         std::uint64_t slot_count, SideOrder sides) {
     Scheduler scheduler(kind, condition_count, seed);
     std::vector<SessionOrder> orders;
     orders.reserve(slot_count);

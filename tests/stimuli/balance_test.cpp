@@ -43,7 +43,7 @@ TEST(Balance, SidesOfATrialHoldInEverySessionAndOverABlockOfAnyOrder) {
         for (int n = 2; n <= 9; ++n) {
             const auto block = block_size(kind, n);
             const Balance balance =
-                balance_of(session_orders(kind, n, 20100501, 3 * block, Sides::kTrial), n);
+                balance_of(session_orders(kind, n, 20100501, 3 * block, SideOrder::kTrial), n);
             EXPECT_TRUE(balance.sides_hold()) << to_string(kind) << n;
             EXPECT_TRUE(balance.sides_hold_in_sessions()) << to_string(kind) << n;
             EXPECT_FALSE(balance_of_kind(kind, n, block).sides_hold_in_sessions())
@@ -53,7 +53,7 @@ TEST(Balance, SidesOfATrialHoldInEverySessionAndOverABlockOfAnyOrder) {
 }
 
 TEST(Balance, OfATrialHasAFirstWhereTheSlotsRoundAndTheConditionsIndexAreEvenTogether) {
-    const auto orders = session_orders(OrderKind::kLatinSquare, 7, 20100501, 28, Sides::kTrial);
+    const auto orders = session_orders(OrderKind::kLatinSquare, 7, 20100501, 28, SideOrder::kTrial);
     for (const SessionOrder& order : orders) {
         for (std::size_t i = 0; i < order.conditions.size(); ++i) {
             const auto condition = static_cast<std::uint64_t>(order.conditions[i]);

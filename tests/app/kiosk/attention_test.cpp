@@ -67,7 +67,7 @@ TEST_F(AttentionInSession, EachTrialIsRecordedAsWhatItIsAndAllCountTowardsTheEnd
 }
 
 TEST_F(AttentionInSession, SidesOfATrialAreShownAndRecordedAsTheOrderHasThem) {
-    study_.sides = stimuli::Sides::kTrial;
+    study_.sides = stimuli::SideOrder::kTrial;
     observe(0);
     const auto order = study_.session_order(0);
     const auto trials = store_.trials();
