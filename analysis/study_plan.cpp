@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kAllowed =
+constexpr const char* kAllowedPlan =
     "is nothing, or a JSON object with hypotheses: objects with id, statement, kind (preference or "
     "interaction), conditions or pairs (of ids), margin (0 to 0.5) and role (primary or "
     "secondary), sides (session or trial), and stopping: an object with looks (rising numbers of "
@@ -103,7 +103,7 @@ PlannedLooks looks_of(const Json& object) {
     return looks;
 }
 
-StudyPlan parsed(std::string_view text) {
+StudyPlan parsed_plan(std::string_view text) {
     StudyPlan plan;
     if (text.empty()) return plan;
     const Json json = Json::parse(text, nullptr, false);
@@ -129,19 +129,19 @@ StudyPlan parsed(std::string_view text) {
 
 std::optional<std::string> study_plan_problem(std::string_view text) {
     try {
-        (void)parsed(text);
+        (void)parsed_plan(text);
         return std::nullopt;
     } catch (const NoPlan&) {
-        return kAllowed;
+        return kAllowedPlan;
     }
 }
 
 StudyPlan study_plan(std::string_view text, std::string_view where) {
     try {
-        return parsed(text);
+        return parsed_plan(text);
     } catch (const NoPlan&) {
         throw base::bad_input("{}: study_plan is '{}', allowed {}", where, printable(text),
-                              kAllowed);
+                              kAllowedPlan);
     }
 }
 

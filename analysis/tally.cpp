@@ -79,6 +79,7 @@ class Counter {
         number_participants();
         read_rule();
         read_plan();
+        name_study_files();
         reserve();
         for (const AnswerEntry& answer : table_.answers) take(answer);
         compare_repeats();
@@ -136,7 +137,16 @@ class Counter {
             tally_.exclusion = Possible<ExclusionRule>::none("the study has no rule");
         } else {
             tally_.exclusion = exclusion_rule(table_.names[rule], table_.source);
+            tally_.exclusion_text = table_.names[rule];
         }
+    }
+
+    void name_study_files() {
+        std::set<std::uint32_t> files;
+        for (const SessionEntry& session : table_.sessions) {
+            if (is_chosen(session) && session.study_sha256 != 0) files.insert(session.study_sha256);
+        }
+        for (const std::uint32_t file : files) tally_.study_files.push_back(table_.names[file]);
     }
 
     void read_plan() {
@@ -154,6 +164,7 @@ class Counter {
             tally_.plan = Possible<StudyPlan>::none("the sessions carry no plan");
         } else {
             tally_.plan = study_plan(table_.names[plan], table_.source);
+            tally_.plan_text = table_.names[plan];
         }
     }
 

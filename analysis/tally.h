@@ -74,6 +74,9 @@ struct Tally {
     Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
     /// What all sessions carry that the study fixed before it had data.
     Possible<StudyPlan> plan = Possible<StudyPlan>::none("counts carry no plan");
+    std::string plan_text;       ///< what all sessions carry as study_plan; empty: nothing alike
+    std::string exclusion_text;  ///< the same of their rule of exclusion
+    std::vector<std::string> study_files = {};  ///< SHA-256 of the sessions' study files, if known
     /// Participants at earlier looks at these answers, as far as somebody remembers them.
     std::vector<std::int64_t> looks_before = {};
     std::vector<std::string> notes;  ///< what the reader of a file passed over or took for granted

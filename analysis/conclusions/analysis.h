@@ -9,6 +9,7 @@
 
 #include "analysis/conclusions/family.h"
 #include "analysis/conclusions/looks.h"
+#include "analysis/registration.h"
 #include "analysis/statistics/bayes_factor.h"
 #include "analysis/statistics/chi_square.h"
 #include "analysis/statistics/mcnemar.h"
@@ -378,6 +379,9 @@ struct Analysis {
     /// What the study's rule does. The analysis is of those who stay.
     Possible<Exclusions> exclusions = Possible<Exclusions>::none("no rule");
     ResamplingResult resampling;
+    /// What came of a pre-registration, where one was given to compare with.
+    Possible<RegistrationResult> registration =
+        Possible<RegistrationResult>::none("no pre-registration was given");
 };
 
 /// The seed of all draws of an analysis, unless another is given.

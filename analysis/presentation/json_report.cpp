@@ -322,6 +322,7 @@ std::string json_report(const Analysis& analysis) {
         put_none(report, "simulated", "the counts do not say");
     }
     report["family"] = analysis.family.words;
+    put_registration(report, analysis.registration);
     put_look(report, analysis.look);
     report["significance_level"] = kSignificance;
     report["confidence"] = kConfidence;

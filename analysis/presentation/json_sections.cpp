@@ -62,6 +62,14 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 
+void put_registration(Json& report, const Possible<RegistrationResult>& registration) {
+    if (!registration.has_value()) return put_none(report, "registration", registration.reason);
+    report["registration"] = {{"document", registration->document},
+                              {"written_utc", registration->written_utc},
+                              {"deviations", registration->deviations},
+                              {"unknown", registration->unknown}};
+}
+
 void put_look(Json& report, const Possible<LookResult>& look) {
     if (!look.has_value()) return put_none(report, "look", look.reason);
     report["look"] = {{"number", look->looks.size()},

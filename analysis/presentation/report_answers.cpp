@@ -103,6 +103,9 @@ void add_answers(ReportDraft& draft) {
         draft.page.answer(question_of(verdict), capital(verdict_words(verdict)),
                           capital(sentence_of(verdict)));
     }
+    if (analysis.registration.has_value()) {
+        draft.page.paragraph(registration_words(*analysis.registration));
+    }
     if (analysis.look.has_value()) draft.page.paragraph(analysis.look->words);
     draft.page.fine_print("The rule behind the verdicts. " + analysis.family.words + ' ' +
                           verdict_rule());

@@ -104,6 +104,9 @@ std::string rule_words(const ExclusionRule& rule) {
 std::string verdicts_text(const Analysis& analysis) {
     std::string text = "\n";
     for (const Verdict& verdict : analysis.verdicts) text += verdict.sentence + '\n';
+    if (analysis.registration.has_value()) {
+        text += registration_words(*analysis.registration) + '\n';
+    }
     if (analysis.look.has_value()) text += analysis.look->words + '\n';
     return wrapped(text + analysis.family.words + ' ' + verdict_rule() + '\n');
 }

@@ -45,8 +45,7 @@ class Paths {
         const double spread = std::sqrt(time - time_);
         double sum = 0.0;
         for (std::size_t i = 0; i < at_.size(); ++i) {
-            sum += mass_[i] *
-                   (tail((reach - at_[i]) / spread) + below((-reach - at_[i]) / spread));
+            sum += mass_[i] * (tail((reach - at_[i]) / spread) + below((-reach - at_[i]) / spread));
         }
         return sum;
     }
@@ -103,7 +102,7 @@ double z_ending(const Paths& paths, double time, double share) {
     return high;
 }
 
-void check(const std::vector<std::int64_t>& looks) {
+void check_looks(const std::vector<std::int64_t>& looks) {
     base::check_range("look boundaries", "number of looks", looks.size(), std::size_t{1},
                       kMostLooks);
     base::check_range("look boundaries", "first look", looks.front(), std::int64_t{1}, INT64_MAX);
@@ -136,7 +135,7 @@ std::optional<Spending> spending_from(std::string_view name) {
 std::vector<LookBoundary> look_boundaries(Spending spending, double level,
                                           const std::vector<std::int64_t>& looks,
                                           std::int64_t planned) {
-    check(looks);
+    check_looks(looks);
     std::vector<LookBoundary> boundaries;
     Paths paths;
     double before = 0.0;
@@ -169,7 +168,7 @@ double p_after_spending(double p, Spending spending, const std::vector<std::int6
 }
 
 double repeated_look_error(double level, const std::vector<std::int64_t>& looks) {
-    check(looks);
+    check_looks(looks);
     const double z = z_of_tail(level / 2.0);
     Paths paths;
     double error = 0.0;

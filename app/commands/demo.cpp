@@ -33,7 +33,8 @@ struct DemoOptions {
 };
 
 /// Observers who choose as often as was published.
-void simulate(const stimuli::Study& study, const fs::path& images, const Simulation& simulation) {
+void simulate_published(const stimuli::Study& study, const fs::path& images,
+                        const Simulation& simulation) {
     const kiosk::ChoiceModel choices = kiosk::choices_from(study, analysis::published_votes());
     if (!choices.unpublished.empty()) {
         base::log::warn(
@@ -78,7 +79,8 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const fs::path images = stimuli::stimuli_folder(out, study);
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
-    simulate(study, images, {file, "--out", options.participants, study.seed, globals.quiet});
+    simulate_published(study, images,
+                       {file, "--out", options.participants, study.seed, globals.quiet});
     const std::string report = analyse(
         study, exported_study(stimuli::study_source(options.study), study, images), out, file);
     fmt::print("{}", report);

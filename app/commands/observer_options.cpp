@@ -36,16 +36,6 @@ double share_from(const std::string& text, const std::string& option) {
     return share;
 }
 
-void set_share(kiosk::ChoiceModel& model, const stimuli::Study& study, const std::string& id,
-               double share) {
-    for (std::size_t i = 0; i < study.conditions.size(); ++i) {
-        const stimuli::Condition& condition = study.conditions[i];
-        if (condition.expected != '\0') continue;
-        const std::string& shown = condition.repeats.empty() ? condition.id : condition.repeats;
-        if (id.empty() || shown == id) model.probability_of_b[i] = share;
-    }
-}
-
 void check(const ObserverOptions& options) {
     if (!(options.sd >= 0.0 && options.sd <= kLargestSd)) {
         throw base::bad_input("--sd {}: allowed is 0 to {}, in log odds", options.sd, kLargestSd);
@@ -90,13 +80,13 @@ kiosk::ChoiceModel choices_from(const ObserverOptions& options, const stimuli::S
     model.sd = options.sd;
     model.order_bias = options.order_bias;
     model.careless = options.careless;
-    set_share(model, study, "", 0.5);
+    kiosk::set_share(model, study, "", 0.5);
     const std::vector<std::string> allowed = votable(study);
     std::vector<std::pair<std::string, double>> named;
     for (const std::string& option : options.shares) {
         const std::size_t equals = option.rfind('=');
         if (equals == std::string::npos) {
-            set_share(model, study, "", share_from(option, option));
+            kiosk::set_share(model, study, "", share_from(option, option));
             continue;
         }
         named.emplace_back(option.substr(0, equals), share_from(option.substr(equals + 1), option));
@@ -107,7 +97,7 @@ kiosk::ChoiceModel choices_from(const ObserverOptions& options, const stimuli::S
                 option, study.name, named.back().first, fmt::join(allowed, ", "));
         }
     }
-    for (const auto& [id, share] : named) set_share(model, study, id, share);
+    for (const auto& [id, share] : named) kiosk::set_share(model, study, id, share);
     return model;
 }
 

@@ -11,6 +11,7 @@
 #include "analysis/conclusions/pooling.h"
 #include "app/commands/list.h"
 #include "app/commands/planned_tally.h"
+#include "app/commands/preregister.h"
 #include "stimuli/order/balance.h"
 #include "stimuli/study.h"
 
@@ -27,6 +28,7 @@ constexpr int kMostParticipants = 1'000'000;
 struct PlanOptions {
     std::string study;
     int participants = 0;
+    std::filesystem::path preregister;  ///< empty: nothing is written
     bool json = false;
 };
 
@@ -265,8 +267,13 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
     fmt::print("]}}\n");
 }
 
-base::ExitCode plan(const PlanOptions& options) {
+base::ExitCode plan(const PlanOptions& options, const Globals& globals) {
     const Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    if (!options.preregister.empty()) {
+        const auto document = preregister(
+            study, {options.preregister, globals.data, options.participants, globals.quiet});
+        fmt::print(stderr, "registered {}\n", document.string());
+    }
     const int n = static_cast<int>(study.conditions.size());
     const auto sessions = stimuli::session_orders(
         study.order, n, study.seed, static_cast<std::uint64_t>(options.participants), study.sides);
@@ -279,7 +286,7 @@ base::ExitCode plan(const PlanOptions& options) {
 
 Command plan_command() {
     return {"plan", "Print who sees what, with proof of its balance",
-            [](CLI::App& options, const Globals&) -> std::function<base::ExitCode()> {
+            [](CLI::App& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto chosen = std::make_shared<PlanOptions>();
                 options.add_option("STUDY", chosen->study,
                                    "Study file, or the name of a built-in study; default: "
@@ -290,7 +297,13 @@ Command plan_command() {
                     ->required()
                     ->check(CLI::Range(1, kMostParticipants));
                 options.add_flag("--json", chosen->json, "Print JSON");
-                return [chosen] { return plan(*chosen); };
+                options
+                    .add_option("--preregister", chosen->preregister,
+                                "Write DIR/preregistration.md: hypotheses, participants and their "
+                                "power, order, rules and analysis, with the SHA-256 of the study "
+                                "file and of every image; obscura analyze --preregistered compares")
+                    ->type_name("DIR");
+                return [chosen, &globals] { return plan(*chosen, globals); };
             }};
 }
 

@@ -125,14 +125,6 @@ bool holds(const std::vector<std::string>& ids, const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-void set_share(ChoiceModel& choices, const stimuli::Study& study, const std::string& id,
-               double share) {
-    for (std::size_t i = 0; i < study.conditions.size(); ++i) {
-        const stimuli::Condition& condition = study.conditions[i];
-        if (condition.id == id || condition.repeats == id) choices.probability_of_b[i] = share;
-    }
-}
-
 /// Nothing is preferred by people at large; what each likes is the same where B is the same.
 ChoiceModel nothing_preferred(const stimuli::Study& study, const Tally& planned,
                               const PowerRequest& request) {
@@ -179,11 +171,11 @@ std::vector<Scenario> scenarios_of(const analysis::PlannedHypothesis& hypothesis
         with.result.truth = truth_words(hypothesis, share);
         const std::vector<std::string> turned = turned_in(planned, hypothesis.conditions);
         for (const std::string& id : hypothesis.conditions) {
-            set_share(with.choices, study, id, holds(turned, id) ? 1.0 - share : share);
+            kiosk::set_share(with.choices, study, id, holds(turned, id) ? 1.0 - share : share);
         }
         for (const auto& pair : hypothesis.pairs) {
-            set_share(with.choices, study, pair.back(),
-                      holds(turned_in(planned, pair), pair.back()) ? 1.0 - share : share);
+            kiosk::set_share(with.choices, study, pair.back(),
+                             holds(turned_in(planned, pair), pair.back()) ? 1.0 - share : share);
         }
         if (hypothesis.is_interaction) {
             with.result.verdict = "the effect differs";
@@ -251,9 +243,9 @@ std::vector<VerdictPower> power_of_study(const stimuli::Study& study, const Powe
         if (request.participants) {
             scenario.result.at = simulator.run(scenario, *request.participants, request.studies);
         }
-        if (scenario.result.is_true) {
+        if (scenario.result.is_true && request.asks_needed) {
             scenario.result.needed = needed_for(simulator, scenario, block, request);
-        } else {
+        } else if (!scenario.result.is_true) {
             scenario.result.needed = analysis::Possible<Frequency>::none("an error, not power");
         }
         progress.step(scenario.result.hypothesis);

@@ -22,7 +22,8 @@ struct PowerRequest {
     std::optional<int> participants;  ///< nothing: only how many are needed
     int studies = 1000;               ///< simulated for each number
     std::uint64_t seed = 20100501;
-    double power = 0.8;  ///< that is asked for
+    double power = 0.8;       ///< that is asked for
+    bool asks_needed = true;  ///< how many participants are needed, which takes longest
     bool quiet = false;
 };
 

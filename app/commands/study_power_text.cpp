@@ -40,13 +40,15 @@ std::string study_power_text(const stimuli::Study& study, const PowerRequest& re
     if (request.participants) {
         rows.front().push_back(fmt::format("at {}", *request.participants));
     }
-    const std::string asked = fmt::format("{:g} %", 100.0 * request.power);
-    rows.front().push_back("participants for " + asked);
-    rows.front().emplace_back("there");
+    if (request.asks_needed) {
+        rows.front().push_back(fmt::format("participants for {:g} %", 100.0 * request.power));
+        rows.front().emplace_back("there");
+    }
     for (const VerdictPower& result : results) {
         rows.push_back({result.hypothesis + (result.is_primary ? "" : " (secondary)"), result.truth,
                         result.verdict});
         if (request.participants) rows.back().push_back(in_percent(*result.at));
+        if (!request.asks_needed) continue;
         rows.back().push_back(result.needed.has_value()
                                   ? std::to_string(result.needed->participants)
                               : result.is_true ? result.needed.reason

@@ -94,6 +94,16 @@ ChoiceModel choices_from(const stimuli::Study& study, const analysis::Tally& vot
     return model;
 }
 
+void set_share(ChoiceModel& model, const stimuli::Study& study, const std::string& id,
+               double share) {
+    for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+        const stimuli::Condition& condition = study.conditions[i];
+        if (condition.expected != '\0') continue;
+        const std::string& shown = condition.repeats.empty() ? condition.id : condition.repeats;
+        if (id.empty() || shown == id) model.probability_of_b[i] = share;
+    }
+}
+
 Observer::Observer(const ChoiceModel& model, base::Random& random)
     : model_(model), random_(random) {
     // What is not asked for draws nothing, so that it changes no other answer.

@@ -40,6 +40,11 @@ struct ChoiceModel {
 /// repeat has the probability of what it repeats.
 [[nodiscard]] ChoiceModel choices_from(const stimuli::Study& study, const analysis::Tally& votes);
 
+/// Gives that share of B to a condition and to what repeats it; to all but attention checks where
+/// `id` is empty.
+void set_share(ChoiceModel& model, const stimuli::Study& study, const std::string& id,
+               double share);
+
 /// One observer: what he likes, and what he remembers.
 class Observer {
   public:
