@@ -156,8 +156,8 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     }
     answers.tally.asks_validity = options.validity;
     std::optional<LookLog> looks;
-    if (is_of_store(options)) {
-        looks.emplace(globals.data, answers.tally);
+    if (is_of_store(options) && answers.tally.kind == analysis::Kind::kParticipant) {
+        looks.emplace(globals.data, answers.tally.study);
         answers.tally.looks_before = looks->looks();
     }
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);

@@ -20,11 +20,8 @@ constexpr const char* kHeader = "participants,looked_utc\n";
 
 }  // namespace
 
-LookLog::LookLog(const std::filesystem::path& data, const analysis::Tally& tally)
-    : file_(data / "looks" /
-            (tally.study + (tally.kind == analysis::Kind::kSimulated ? "-simulated" : "") +
-             ".csv")),
-      text_(kHeader) {
+LookLog::LookLog(const std::filesystem::path& data, const std::string& study)
+    : file_(data / "looks" / (study + ".csv")), text_(kHeader) {
     std::error_code ignored;
     if (!std::filesystem::exists(file_, ignored)) return;
     text_ = base::read_file(file_);

@@ -4,18 +4,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
-
-#include "analysis/tally.h"
 
 namespace obscura::app {
 
 /// What remembers when the answers to a study were looked at: a table in the data folder,
-/// `looks/STUDY.csv` with a row for each new number of participants, and one of its own for
-/// simulated answers.
+/// `looks/STUDY.csv` with a row for each new number of participants.
 class LookLog {
   public:
-    LookLog(const std::filesystem::path& data, const analysis::Tally& tally);
+    LookLog(const std::filesystem::path& data, const std::string& study);
 
     /// Participants at each look so far. Throws bad input for a table that is none.
     [[nodiscard]] const std::vector<std::int64_t>& looks() const { return looks_; }

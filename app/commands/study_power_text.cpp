@@ -55,17 +55,20 @@ std::string study_power_text(const stimuli::Study& study, const PowerRequest& re
                                                : "-");
         rows.back().push_back(result.needed.has_value() ? in_percent(*result.needed) : "-");
     }
-    return analysis::wrapped(fmt::format(
-               "Power of the verdicts on the study {}, by simulating it as planned (order {}, "
-               "sides "
-               "{}, its family of hypotheses and its rule of exclusion): {}. {} studies for each "
-               "number, seed {}; behind each frequency its standard error from that. What is true "
-               "is true of that hypothesis only. Numbers of participants are whole blocks of {}, "
-               "looked for with up to 400 studies each.\n",
-               study.name, to_string(study.order), to_string(study.sides), observers_words(request),
-               request.studies, request.seed,
-               stimuli::block_size(study.order, static_cast<int>(study.conditions.size())))) +
-           '\n' + analysis::aligned(rows, 3);
+    std::string text = fmt::format(
+        "Power of the verdicts on the study {}, by simulating it as planned (order {}, sides {}, "
+        "its family of hypotheses and its rule of exclusion): {}. {} studies for each number, seed "
+        "{}; behind each frequency its standard error from that. What is true is true of that "
+        "hypothesis only, and the answers are looked at once.",
+        study.name, to_string(study.order), to_string(study.sides), observers_words(request),
+        request.studies, request.seed);
+    if (request.asks_needed) {
+        text += fmt::format(
+            " Numbers of participants are whole blocks of {}, looked for with up to 400 studies "
+            "each.",
+            stimuli::block_size(study.order, static_cast<int>(study.conditions.size())));
+    }
+    return analysis::wrapped(text + '\n') + '\n' + analysis::aligned(rows, 3);
 }
 
 std::string study_power_json(const stimuli::Study& study, const PowerRequest& request,
