@@ -27,7 +27,7 @@ struct PlannedHypothesis {
 
 /// When a study looks at its answers.
 struct PlannedLooks {
-    std::vector<std::int64_t> looks;  ///< participants at each, rising; at least one
+    std::vector<std::int64_t> looks;      ///< participants at each, rising; at least one
     Spending spending = Spending::kNone;  ///< kNone for one look only
 
     bool operator==(const PlannedLooks&) const = default;
@@ -37,7 +37,7 @@ struct PlannedLooks {
 struct StudyPlan {
     std::vector<PlannedHypothesis> hypotheses;  ///< in the study's order; empty: none are fixed
     std::optional<PlannedLooks> stopping = {};
-    bool has_sides_by_trial = false;            ///< A and B change places within a session
+    bool has_sides_by_trial = false;  ///< A and B change places within a session
 
     bool operator==(const StudyPlan&) const = default;
 };

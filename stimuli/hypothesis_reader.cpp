@@ -228,9 +228,9 @@ void read_stopping(const toml::table& table, Study& study, std::vector<StudyProb
             reader.add("looks", "is no such list, allowed is " + wanted);
         }
     }
-    rule.spending = reader.choice("spending", Need::kOptional,
-                                  {kSpendings.begin(), kSpendings.end()})
-                        .value_or(rule.spending);
+    rule.spending =
+        reader.choice("spending", Need::kOptional, {kSpendings.begin(), kSpendings.end()})
+            .value_or(rule.spending);
     if (rule.looks.size() > 1 && rule.spending == "none") {
         reader.add("looks",
                    fmt::format("are {} with spending \"none\", allowed is one look, or spending = "

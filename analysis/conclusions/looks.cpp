@@ -74,11 +74,10 @@ std::string uncorrected_words(const LookResult& look) {
 
 std::string planned_words(const LookResult& look) {
     if (look.planned.empty()) return "The study planned no looks.";
-    std::string text =
-        fmt::format("The study planned {} at {} participants",
-                    look.planned.size() == 1 ? "one look,"
-                                             : fmt::format("{} looks,", look.planned.size()),
-                    numbers(look.planned));
+    std::string text = fmt::format(
+        "The study planned {} at {} participants",
+        look.planned.size() == 1 ? "one look," : fmt::format("{} looks,", look.planned.size()),
+        numbers(look.planned));
     const std::int64_t now = look.looks.back();
     if (look.is_planned) return text + fmt::format("; this is the one at {}.", now);
     return text + fmt::format("; this one, at {}, {}.", now,
@@ -141,8 +140,7 @@ Possible<LookResult> look_of(const Tally& tally) {
             look_boundaries(look.spending, kSignificance, look.looks, look.planned.back()).back();
         look.error = kSignificance;
     } else {
-        look.boundary =
-            look_boundaries(Spending::kNone, kSignificance, {now}, now).back();
+        look.boundary = look_boundaries(Spending::kNone, kSignificance, {now}, now).back();
         look.error = look.looks.size() > 1 ? error_of(tally, look.looks) : kSignificance;
     }
     look.words = planned_words(look) + (is_spent ? spending_words(look) : uncorrected_words(look));

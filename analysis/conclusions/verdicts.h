@@ -7,7 +7,7 @@
 namespace obscura::analysis {
 
 /// A verdict on every hypothesis of the family, and on the question about validity where it is
-/// asked, by verdict_rule(). Needs hypotheses, validity and resampling of the analysis.
+/// asked, by verdict_rule(). Needs hypotheses and validity of the analysis.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const Analysis& analysis);
 
 /// What an interval of the share of B says of shares at least `margin` from one half. An end is

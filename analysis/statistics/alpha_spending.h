@@ -45,8 +45,7 @@ struct LookBoundary {
 /// The smallest level at which a p-value at the last of those looks counts: what stands in its
 /// place where looks are spent for (Q. Liu and K. M. Anderson 2008). Never below p, at most 1.
 [[nodiscard]] double p_after_spending(double p, Spending spending,
-                                      const std::vector<std::int64_t>& looks,
-                                      std::int64_t planned);
+                                      const std::vector<std::int64_t>& looks, std::int64_t planned);
 
 /// How often a test at that level finds something at one of the looks where nothing is, without a
 /// correction for looking, in large samples.
