@@ -365,12 +365,12 @@ Possible<ValidityResult> test_validity(const Tally& tally, const Family& family)
     }
     // The study vouches for its pairs: what an answer says of its scene may hold the light.
     const Families families(tally, planned == nullptr);
-    for (const SamePair& family :
+    for (const SamePair& pair :
          planned == nullptr ? all_compared(families) : planned_pairs(*planned, families)) {
-        result.by_level.push_back(comparison_of(family, families));
-        if (planned == nullptr) result.by_level.back().view = views_of(family);
-        if (family.size() == 2) continue;
-        for (Comparison& two : pairs_of(family, families)) result.by_pair.push_back(two);
+        result.by_level.push_back(comparison_of(pair, families));
+        if (planned == nullptr) result.by_level.back().view = views_of(pair);
+        if (pair.size() == 2) continue;
+        for (Comparison& two : pairs_of(pair, families)) result.by_pair.push_back(two);
     }
     result.without_partner = without_partner(tally, result.by_level);
     if (result.by_level.empty()) {
