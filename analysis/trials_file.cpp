@@ -8,6 +8,7 @@
 
 #include "analysis/direction.h"
 #include "analysis/exclusion.h"
+#include "analysis/study_plan.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
 #include "analysis/trials_choice.h"
