@@ -21,7 +21,8 @@ constexpr int kStudies = 2000;
 /// How many votes of a participant the largest hypothesis pools.
 std::size_t most_pooled(const Tally& tally) {
     std::size_t most = 1;
-    for (const PlannedHypothesis& hypothesis : family_of(tally).hypotheses) {
+    const Family family = family_of(tally);
+    for (const PlannedHypothesis& hypothesis : family.hypotheses) {
         most = std::max(most, hypothesis.conditions.size());
     }
     return most;

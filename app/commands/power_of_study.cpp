@@ -133,7 +133,8 @@ ChoiceModel nothing_preferred(const stimuli::Study& study, const Tally& planned,
     choices.order_bias = request.order_bias;
     choices.careless = request.careless;
     choices.turned.assign(study.conditions.size(), false);
-    for (const auto& hypothesis : analysis::family_of(planned).hypotheses) {
+    const analysis::Family family = analysis::family_of(planned);
+    for (const auto& hypothesis : family.hypotheses) {
         std::vector<std::string> turned = turned_in(planned, hypothesis.conditions);
         for (const auto& pair : hypothesis.pairs) {
             for (std::string& id : turned_in(planned, pair)) turned.push_back(std::move(id));
@@ -232,7 +233,8 @@ std::vector<VerdictPower> power_of_study(const stimuli::Study& study, const Powe
     const int block = static_cast<int>(
         stimuli::block_size(study.order, static_cast<int>(study.conditions.size())));
     std::vector<Scenario> scenarios;
-    for (const auto& hypothesis : analysis::family_of(simulator.planned()).hypotheses) {
+    const analysis::Family family = analysis::family_of(simulator.planned());
+    for (const auto& hypothesis : family.hypotheses) {
         for (Scenario& own : scenarios_of(hypothesis, study, simulator.planned(), request)) {
             scenarios.push_back(std::move(own));
         }
