@@ -51,27 +51,26 @@ void check(const ObserverOptions& options) {
 
 }  // namespace
 
-void add_own_options(CLI::App& app, ObserverOptions& options) {
-    app.add_option("--sd", options.sd,
-                   "Standard deviation between observers of how much they like B, in log odds, the "
-                   "same in all conditions")
-        ->capture_default_str();
-    app.add_option("--order-bias", options.order_bias,
-                   "Share of answers for the second image where neither is preferred")
-        ->capture_default_str();
-    app.add_option("--careless", options.careless,
-                   "Share of observers who answer by chance whatever they see")
-        ->capture_default_str();
+std::vector<Option> add_own_options(const Options& app, ObserverOptions& options) {
+    return {app.add("--sd", options.sd,
+                    "Standard deviation between observers of how much they like B, in log odds, "
+                    "the same in all conditions")
+                .shows_default(),
+            app.add("--order-bias", options.order_bias,
+                    "Share of answers for the second image where neither is preferred")
+                .shows_default(),
+            app.add("--careless", options.careless,
+                    "Share of observers who answer by chance whatever they see")
+                .shows_default()};
 }
 
-void add_observer_options(CLI::App& app, ObserverOptions& options) {
-    app.add_option("--share", options.shares,
-                   "Share of observers who prefer B, 0 to 1: in one condition (I=.6), or in all "
-                   "that are not named (.6); repeatable [.5]")
-        ->type_name("[CONDITION=]SHARE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_own_options(app, options);
+void add_observer_options(const Options& app, ObserverOptions& options) {
+    app.add("--share", options.shares,
+            "Share of observers who prefer B, 0 to 1: in one condition (I=.6), or in all that are "
+            "not named (.6); repeatable [.5]")
+        .type("[CONDITION=]SHARE")
+        .repeatable();
+    (void)add_own_options(app, options);
 }
 
 kiosk::ChoiceModel choices_from(const ObserverOptions& options, const stimuli::Study& study) {

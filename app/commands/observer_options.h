@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "app/commands/options.h"
 #include "app/kiosk/choice_model.h"
 #include "stimuli/study.h"
 
@@ -20,10 +20,10 @@ struct ObserverOptions {
 };
 
 /// --sd, --order-bias, --careless.
-void add_own_options(CLI::App& app, ObserverOptions& options);
+std::vector<Option> add_own_options(const Options& app, ObserverOptions& options);
 
 /// Those and --share.
-void add_observer_options(CLI::App& app, ObserverOptions& options);
+void add_observer_options(const Options& app, ObserverOptions& options);
 
 /// How they choose in that study; 1/2 where no share is given. Throws bad input naming the option,
 /// the value and what is allowed.

@@ -286,23 +286,23 @@ base::ExitCode plan(const PlanOptions& options, const Globals& globals) {
 
 Command plan_command() {
     return {"plan", "Print who sees what, with proof of its balance",
-            [](CLI::App& options, const Globals& globals) -> std::function<base::ExitCode()> {
+            [](const Options& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto chosen = std::make_shared<PlanOptions>();
-                options.add_option("STUDY", chosen->study,
-                                   "Study file, or the name of a built-in study; default: "
-                                   "jakobsen2010");
+                options.add("STUDY", chosen->study,
+                            "Study file, or the name of a built-in study; default: "
+                            "jakobsen2010");
                 options
-                    .add_option("--participants", chosen->participants,
-                                "How many participants complete the study")
-                    ->required()
-                    ->check(CLI::Range(1, kMostParticipants));
+                    .add("--participants", chosen->participants,
+                         "How many participants complete the study")
+                    .required()
+                    .between(1, kMostParticipants);
                 options.add_flag("--json", chosen->json, "Print JSON");
                 options
-                    .add_option("--preregister", chosen->preregister,
-                                "Write DIR/preregistration.md: hypotheses, participants and their "
-                                "power, order, rules and analysis, with the SHA-256 of the study "
-                                "file and of every image; obscura analyze --preregistered compares")
-                    ->type_name("DIR");
+                    .add("--preregister", chosen->preregister,
+                         "Write DIR/preregistration.md: hypotheses, participants and their "
+                         "power, order, rules and analysis, with the SHA-256 of the study "
+                         "file and of every image; obscura analyze --preregistered compares")
+                    .type("DIR");
                 return [chosen, &globals] { return plan(*chosen, globals); };
             }};
 }

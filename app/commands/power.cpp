@@ -304,42 +304,35 @@ base::ExitCode power_of_verdicts(const PowerOptions& options, const Globals& glo
     return base::ExitCode::kDone;
 }
 
-void add_study_options(CLI::App& app, PowerOptions& options) {
-    auto* study = app.add_option("STUDY", options.study,
+std::function<base::ExitCode()> attach_power(const Options& app, const Globals& globals) {
+    auto options = std::make_shared<PowerOptions>();
+    const Option study = app.add("STUDY", options->study,
                                  "Study file or built-in study: the power of its verdicts, by "
                                  "simulating it as planned; none: of one condition alone");
-    add_own_options(app, options.observers);
-    app.add_option("--studies", options.studies, "Simulated studies for each number, 100 to 100000")
-        ->capture_default_str();
-    app.add_option("--seed", options.seed, "Of the simulation")->capture_default_str();
-    for (const char* name : {"--sd", "--order-bias", "--careless", "--studies", "--seed"}) {
-        app.get_option(name)->needs(study);
-    }
-}
-
-std::function<base::ExitCode()> attach_power(CLI::App& app, const Globals& globals) {
-    auto options = std::make_shared<PowerOptions>();
-    add_study_options(app, *options);
-    app.add_option("--share", options->shares,
-                   "True shares of votes for the preferred image, 0 to 1, at least .001 from .5 "
-                   "[.55 .60 .65 .70 .75 .80; of a study .65]");
-    auto* level =
-        app.add_option("--level", options->level, "p below which a result is significant, 0 to 1")
-            ->capture_default_str();
-    app.add_option("--power", options->power, "Chance of a significant result, 0 to 1")
-        ->capture_default_str();
-    auto* conditions = app.add_option("--conditions", options->conditions,
+    for (const Option& own : add_own_options(app, options->observers)) own.needs(study);
+    app.add("--studies", options->studies, "Simulated studies for each number, 100 to 100000")
+        .shows_default()
+        .needs(study);
+    app.add("--seed", options->seed, "Of the simulation").shows_default().needs(study);
+    app.add("--share", options->shares,
+            "True shares of votes for the preferred image, 0 to 1, at least .001 from .5 "
+            "[.55 .60 .65 .70 .75 .80; of a study .65]");
+    const Option level =
+        app.add("--level", options->level, "p below which a result is significant, 0 to 1")
+            .shows_default();
+    app.add("--power", options->power, "Chance of a significant result, 0 to 1").shows_default();
+    const Option conditions = app.add("--conditions", options->conditions,
                                       "Conditions that are tested, corrected by Holm's method")
-                           ->capture_default_str();
-    app.add_option("--participants", options->participants,
-                   "Say what power this number of participants has");
-    auto* curve = app.add_option("--curve", options->curve,
+                                  .shows_default();
+    app.add("--participants", options->participants,
+            "Say what power this number of participants has");
+    const Option curve = app.add("--curve", options->curve,
                                  "Power over numbers of participants, FROM:TO or FROM:TO:STEP");
-    auto* json = app.add_flag("--json", options->json, "Print JSON instead of tables");
+    const Option json = app.add_flag("--json", options->json, "Print JSON instead of tables");
     app.add_flag("--csv", options->csv, "Print the curve alone, as CSV")
-        ->needs(curve)
-        ->excludes(json);
-    for (auto* alone : {level, conditions, curve}) app.get_option("STUDY")->excludes(alone);
+        .needs(curve)
+        .excludes({json});
+    study.excludes({level, conditions, curve});
     return [options, &globals] {
         return options->study.empty() ? power_of_conditions(*options)
                                       : power_of_verdicts(*options, globals);

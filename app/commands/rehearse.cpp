@@ -18,7 +18,7 @@ struct RehearseOptions {
     std::string study;
     int participants = 0;
     ObserverOptions observers;
-    std::optional<std::uint64_t> seed;  ///< the study's
+    std::optional<std::uint64_t> seed;  ///< nothing: the study's
     fs::path store;                     ///< empty: DATA/rehearsal/STUDY.sqlite
 };
 
@@ -60,20 +60,20 @@ base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) 
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_rehearse(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_rehearse(const Options& app, const Globals& globals) {
     auto options = std::make_shared<RehearseOptions>();
-    app.add_option("STUDY", options->study,
-                   "Study file, or the name of a built-in study; default: jakobsen2010");
-    app.add_option("--participants", options->participants, "Simulated observers")
-        ->type_name("N")
-        ->required()
-        ->check(CLI::Range(1, 100000));
+    app.add("STUDY", options->study,
+            "Study file, or the name of a built-in study; default: jakobsen2010");
+    app.add("--participants", options->participants, "Simulated observers")
+        .type("N")
+        .required()
+        .between(1, 100000);
     add_observer_options(app, options->observers);
-    app.add_option("--seed", options->seed, "Of the observers' answers [the study's]");
-    app.add_option("--store", options->store,
-                   "File for the answers, replaced unless it holds answers of participants "
-                   "[DATA/rehearsal/STUDY.sqlite]")
-        ->type_name("FILE");
+    app.add("--seed", options->seed, "Of the observers' answers [the study's]");
+    app.add("--store", options->store,
+            "File for the answers, replaced unless it holds answers of participants "
+            "[DATA/rehearsal/STUDY.sqlite]")
+        .type("FILE");
     app.footer(
         "The observers go through the kiosk's procedure on a clock of their own; every row of the "
         "store says that they are simulated, and so does every report of it. Their answers stand "
