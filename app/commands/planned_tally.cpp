@@ -51,13 +51,16 @@ analysis::Tally planned_tally(const stimuli::Study& study) {
 
 analysis::Possible<analysis::Pooling> pooling_of(const analysis::Tally& tally,
                                                  const std::vector<std::string>& conditions) {
-    return analysis::pooling_of(conditions_in(tally, conditions));
+    const auto own = conditions_in(tally, conditions);
+    if (own.empty()) return analysis::Possible<analysis::Pooling>::none("no conditions");
+    return analysis::pooling_of(own);
 }
 
 std::vector<std::string> turned_in(const analysis::Tally& tally,
                                    const std::vector<std::string>& conditions) {
     const auto own = conditions_in(tally, conditions);
     std::vector<std::string> turned;
+    if (own.empty()) return turned;
     const auto pooling = analysis::pooling_of(own);
     for (std::size_t i = 0; pooling.has_value() && i < own.size(); ++i) {
         if (pooling->turned[i]) turned.push_back(own[i]->id);
