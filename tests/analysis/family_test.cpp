@@ -105,9 +105,10 @@ TEST(TheFamily, OfThePublishedVotesIsH1H2WithoutIVAndBothPairsOfH3) {
     EXPECT_THAT(names_of(analysis), ElementsAre("H1", "H2", "H2-IV", "H3"));
     for (const Verdict& verdict : analysis.verdicts) EXPECT_EQ(verdict.tests, 4U);
     EXPECT_FALSE(analysis.verdicts[2].is_primary);
-    const auto json = nlohmann::json::parse(json_report(analysis));
-    EXPECT_EQ(json["hypotheses"]["H2-IV"]["role"], "secondary");
-    EXPECT_EQ(json["hypotheses"]["H1"]["statement"], "Ambient occlusion raises perceived realism.");
+    const auto report = nlohmann::json::parse(json_report(analysis));
+    EXPECT_EQ(report["hypotheses"]["H2-IV"]["role"], "secondary");
+    EXPECT_EQ(report["hypotheses"]["H1"]["statement"],
+              "Ambient occlusion raises perceived realism.");
 }
 
 }  // namespace

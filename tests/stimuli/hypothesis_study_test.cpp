@@ -51,7 +51,7 @@ std::string small_with(std::string_view family) {
     return std::string(kSmallStudy) + std::string(kTwoLevels) + std::string(family);
 }
 
-std::string edited(std::string_view from, std::string_view to) {
+std::string with_family_edited(std::string_view from, std::string_view to) {
     std::string text = small_with(kFamily);
     text.replace(text.find(from), from.size(), to);
     return text;
@@ -132,14 +132,15 @@ TEST(Hypotheses, WhatIsWrongInThemIsSaidWithItsLineAndWhatIsAllowed) {
          "hypothesis \"S\" is a second interaction, allowed is one"},
     };
     for (const Mistake& mistake : mistakes) {
-        EXPECT_THAT(problems_in(edited(mistake.from, mistake.to)), HasSubstr(mistake.said))
+        EXPECT_THAT(problems_in(with_family_edited(mistake.from, mistake.to)),
+                    HasSubstr(mistake.said))
             << mistake.to;
     }
 }
 
 TEST(Hypotheses, TakeNoAttentionCheckAndNoRepeat) {
     const std::string again = "[[condition]]\nid = \"again\"\nrepeats = \"one\"\n";
-    EXPECT_THAT(problems_in(edited(R"("one", "three"])", R"("one", "again"])") + again),
+    EXPECT_THAT(problems_in(with_family_edited(R"("one", "three"])", R"("one", "again"])") + again),
                 HasSubstr("\"again\" is no condition that people vote on"));
 }
 
