@@ -109,7 +109,7 @@ void put_heterogeneity(Json& object, const Possible<Heterogeneity>& heterogeneit
 Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
-    object["unanswered"] = result.unanswered;
+    object["not_answered"] = result.unanswered;
     if (result.pooling.has_value()) {
         object["pooled_as"] = result.pooling->words;
         put_votes(object, result.pooled.votes);

@@ -94,11 +94,15 @@ void print_session_sides(const Study& study, const Balance& balance) {
                                          sessions == 1 ? "" : "s"));
         }
     }
-    print_verdict(balance.sides_hold_in_sessions(), "each side first equally often in each session",
-                  fmt::format("{}", fmt::join(counts, ", ")));
-    if (!balance.sides_hold_in_sessions() && study.sides == stimuli::SideOrder::kSession) {
-        fmt::print("{:>16}  sides = \"session\" does not promise this; sides = \"trial\" does\n",
-                   "");
+    const std::string counted = fmt::format("{}", fmt::join(counts, ", "));
+    if (study.sides == stimuli::SideOrder::kTrial) {
+        print_verdict(balance.sides_hold_in_sessions(),
+                      "each side first equally often in each session", counted);
+    } else {
+        fmt::print(
+            "  {:<14}  sides change from session to session, not within one: {}\n{:>18}"
+            "sides = \"trial\" does that\n",
+            "by design", counted, "");
     }
 }
 

@@ -70,12 +70,13 @@ TEST_F(AttentionInSession, SidesOfATrialAreShownAndRecordedAsTheOrderHasThem) {
     study_.sides = stimuli::SideOrder::kTrial;
     observe(0);
     const auto order = study_.session_order(0);
+    const SessionPlan shown = plan(0);
     const auto trials = store_.trials();
     ASSERT_EQ(trials.size(), 4U);
     int b_first = 0;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         EXPECT_EQ(trials[i].first_shown, order.b_first(i) ? 'B' : 'A');
-        const auto& images = plan(0).images.at(static_cast<std::size_t>(order.conditions[i]));
+        const auto& images = shown.images.at(static_cast<std::size_t>(order.conditions[i]));
         EXPECT_EQ(trials[i].first_sha256, images[order.b_first(i) ? 1 : 0].sha256);
         if (order.b_first(i)) ++b_first;
     }
