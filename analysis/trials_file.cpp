@@ -3,6 +3,7 @@
 #include "analysis/trials_file.h"
 
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -102,7 +103,28 @@ class TrialsReader {
         passed_over(unanswered_, "without an answer");
         const auto repeats = repeats_.notes(table_);
         notes.insert(notes.end(), repeats.begin(), repeats.end());
+        note_one_variant();
         note_slow_answers();
+    }
+
+    /// Where a pair is of one name twice, nothing says which of them is A.
+    void note_one_variant() {
+        std::set<std::string> ids;
+        for (const AnswerEntry& answer : table_.answers) {
+            const ConditionEntry& condition = table_.conditions[answer.condition];
+            const bool is_vote =
+                answer.kind == Kind::kParticipant || answer.kind == Kind::kSimulated;
+            if (is_vote && condition.variant_a == condition.variant_b) {
+                ids.insert(table_.names[condition.id]);
+            }
+        }
+        for (const std::string& id : ids) {
+            table_.notes.push_back(fmt::format(
+                "condition {} compares two variants of one name: which of them is A is what each "
+                "row says, and rows that name them the other way round cannot be told; name them "
+                "apart",
+                id));
+        }
     }
 
     /// Milliseconds taken for seconds are a thousand times too long.
