@@ -9,6 +9,7 @@
 
 #include "analysis/direction.h"
 #include "analysis/exclusion.h"
+#include "analysis/study_plan.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
 #include "analysis/trials_choice.h"
@@ -177,16 +178,18 @@ class TrialsReader {
         const auto [place, is_new] = session_.emplace(pair_of(observer, name), number);
         answer.session = place->second;
         if (is_new) {
-            table_.sessions.push_back({name == 0 ? observer : name, observer,
-                                       fields_->number_of(row, kStudy),
-                                       fields_->number_of(row, kExclusion), Kind::kParticipant,
-                                       SessionState::kCompleted});
+            table_.sessions.push_back(
+                {name == 0 ? observer : name, observer, fields_->number_of(row, kStudy),
+                 fields_->number_of(row, kExclusion), Kind::kParticipant, SessionState::kCompleted,
+                 0, fields_->number_of(row, kStudyPlan)});
             has_kind_.push_back(false);
-            check_exclusion(row);
+            check_rule(row, kExclusion, exclusion_problem);
+            check_rule(row, kStudyPlan, study_plan_problem);
         }
         SessionEntry& session = table_.sessions[answer.session];
         same_in_session(row, kStudy, session.study);
         same_in_session(row, kExclusion, session.exclusion);
+        same_in_session(row, kStudyPlan, session.study_plan);
         read_session_state(row, session, is_new);
         if (answer.kind != Kind::kParticipant && answer.kind != Kind::kSimulated) return;
         if (has_kind_[answer.session] && session.kind != answer.kind) {
@@ -198,11 +201,10 @@ class TrialsReader {
         has_kind_[answer.session] = true;
     }
 
-    void check_exclusion(const CsvRow& row) {
-        const std::string_view text = fields_->field(row, kExclusion);
-        if (const auto why = exclusion_problem(text); why) {
-            fields_->report(row, kExclusion, text, *why);
-        }
+    template <typename Problem>
+    void check_rule(const CsvRow& row, TrialsColumn column, const Problem& problem_of) {
+        const std::string_view text = fields_->field(row, column);
+        if (const auto why = problem_of(text); why) fields_->report(row, column, text, *why);
     }
 
     void same_in_session(const CsvRow& row, TrialsColumn column, std::uint32_t before) {
