@@ -54,7 +54,9 @@ char read_expected(TableReader& reader) {
     const toml::node* const given = reader.table().get("catch");
     if (given != nullptr && !given->is_string()) {
         reader.allow("catch");
-        reader.add("catch", "allowed are \"a\", \"b\": the side that an attentive observer picks");
+        reader.add(
+            "catch",
+            "is no text, allowed are \"a\", \"b\": the side that an attentive observer picks");
         return '\0';
     }
     const auto side = reader.text("catch", Need::kOptional);

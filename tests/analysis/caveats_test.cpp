@@ -52,6 +52,7 @@ ShownImage image_of(const std::string& condition, char side, const std::string& 
     image.condition = condition;
     image.side = side;
     image.scene = condition == "one" ? "relic" : "atrium";
+    image.validity = condition == "one" ? "low" : "high";
     image.scene_id = image.scene + "-lit";
     image.camera = "front";
     image.technique = technique;
@@ -119,6 +120,7 @@ TEST(Caveats, LeaveOutWhatTheStudyKeepsApart) {
     Tally tally = three_people();
     for (ConditionVotes& condition : tally.conditions) condition.validity = "high";
     std::vector<ShownImage> images = four_images();
+    for (ShownImage& image : images) image.validity = "high";
     images[2].sha256 = "dd";
     images[3].samples = 24;
     images[3].variant = "Blizzard24";
@@ -145,7 +147,7 @@ TEST(Caveats, OfCountsAloneSayWhyNothingCanBeCounted) {
     const auto caveats = caveats_of(analyse(published_votes()), {}, kNobody);
     EXPECT_THAT(sentence_on(caveats, "Sides"), HasSubstr("not known"));
     EXPECT_THAT(sentence_on(caveats, "Places and carry-over"), HasSubstr("not known"));
-    EXPECT_THAT(sentence_on(caveats, "Scene with validity"), HasSubstr("atrium"));
+    EXPECT_THAT(sentence_on(caveats, "Scene with validity"), HasSubstr("the dragon (low)"));
 }
 
 TEST(Caveats, StandInABoxOfTheReportAndInItsText) {
