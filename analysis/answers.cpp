@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "analysis/store/address.h"
+
 namespace obscura::analysis {
 
 std::size_t ConditionHash::operator()(const ConditionEntry& condition) const {
@@ -68,7 +70,7 @@ void AnswerTable::add(const TrialRecord& trial) {
 
 AnswerTable read_answers(Store& store, const std::string& url) {
     AnswerTable table;
-    table.source = url;
+    table.source = without_password(url);
     store.each_answer([&](const SessionRecord& session) { table.add(session); },
                       [&](const TrialRecord& trial) { table.add(trial); });
     return table;

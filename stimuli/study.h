@@ -15,8 +15,10 @@
 #include "renderer/technique/technique.h"
 #include "stimuli/hypothesis.h"
 #include "stimuli/order/order.h"
+#include "stimuli/participant_form.h"
 #include "stimuli/scenes/scene_settings.h"
 #include "stimuli/scenes/validity.h"
+#include "stimuli/words.h"
 
 namespace obscura::stimuli {
 
@@ -81,7 +83,7 @@ inline constexpr std::array kSpendings{"none", "obrien-fleming", "pocock"};
 
 /// A text of a study file that a participant may read.
 struct ShownText {
-    std::string key;  ///< as in the file: question
+    std::string key;  ///< where it is in the file: study: question
     int line = 0;     ///< of the file, from 1
     std::string text;
 };
@@ -93,6 +95,10 @@ struct Study {
     std::string question;
     std::string instructions;
     std::string thanks;  ///< text of the last page; empty: the kiosk's own
+    Words words;         ///< the kiosk's own, in the study's language and as it replaces them
+    std::string information;         ///< page before all others; empty: none
+    std::optional<Consent> consent;  ///< on a page of its own; nothing: a tick on the form
+    std::vector<FormField> form;     ///< instead of the kiosk's own questions; empty: those
     int width = 1280;
     int height = 720;
     int supersampling = 1;  ///< samples of surfaces and light along each side of a pixel
@@ -112,7 +118,7 @@ struct Study {
     std::vector<Hypothesis> hypotheses;  ///< the family; empty: the labels of the conditions are it
     ExclusionRule exclusion;
     StoppingRule stopping;
-    std::vector<ShownText> shown_texts;  ///< title, question, instructions, thanks, as far as given
+    std::vector<ShownText> shown_texts;  ///< all that it gives
     std::string sha256;                  ///< of the file's bytes
     std::filesystem::path folder;        ///< of the file; what its paths are relative to
 

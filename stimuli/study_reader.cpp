@@ -13,6 +13,7 @@
 #include "renderer/frame/plan.h"
 #include "stimuli/attention_reader.h"
 #include "stimuli/hypothesis_reader.h"
+#include "stimuli/participant_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_format.h"
@@ -27,18 +28,6 @@ constexpr std::int64_t kMostPixels = 16384;  // a side; what OpenGL 4.5 drivers 
 constexpr std::int64_t kMostGreyMs = 60000;
 constexpr std::int64_t kMostInputDelayMs = 5000;
 constexpr std::size_t kLongestId = 64;
-
-/// A text that is not blank, noted among those that participants read.
-std::string read_text(TableReader& reader, const std::string& key, Need need,
-                      std::vector<ShownText>& shown) {
-    const std::optional<std::string> text = reader.text(key, need);
-    if (!text) return "";
-    shown.push_back({key, line_of(*reader.table().get(key)), *text});
-    if (text->find_first_not_of(" \t\n") == std::string::npos) {
-        reader.add(key, "is empty, allowed is a text");
-    }
-    return *text;
-}
 
 /// A text that can be part of a file's name everywhere; empty where it is missing or wrong.
 std::string read_id(TableReader& reader, const std::string& key) {
@@ -119,13 +108,15 @@ void read_advance(TableReader& reader, Study& study) {
     }
 }
 
-void read_study_table(const toml::table& table, Study& study, Problems& problems) {
+void read_study_table(const toml::table& table, const toml::table* texts, Study& study,
+                      Problems& problems) {
     TableReader reader(table, "study", problems);
     study.name = read_id(reader, "name");
-    study.title = read_text(reader, "title", Need::kRequired, study.shown_texts);
-    study.question = read_text(reader, "question", Need::kRequired, study.shown_texts);
-    study.instructions = read_text(reader, "instructions", Need::kRequired, study.shown_texts);
-    study.thanks = read_text(reader, "thanks", Need::kOptional, study.shown_texts);
+    study.title = read_shown_text(reader, "study", "title", Need::kRequired, study);
+    study.question = read_shown_text(reader, "study", "question", Need::kRequired, study);
+    study.instructions = read_shown_text(reader, "study", "instructions", Need::kRequired, study);
+    study.thanks = read_shown_text(reader, "study", "thanks", Need::kOptional, study);
+    read_words(reader, texts, study, problems);
     read_resolution(reader, study);
     study.supersampling = static_cast<int>(
         reader.integer("supersampling", Need::kOptional, 1, renderer::kMostSupersampling)
@@ -268,7 +259,8 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
                Problems& problems) {
     TableReader reader(root, "file", problems);
     const toml::table* table = reader.table("study", Need::kRequired);
-    if (table != nullptr) read_study_table(*table, study, problems);
+    const toml::table* texts = reader.table("texts", Need::kOptional);
+    if (table != nullptr) read_study_table(*table, texts, study, problems);
 
     std::set<std::string> seen;
     KnownScenes known;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/store/database.h"
 
+#include <soci/postgresql/soci-postgresql.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,20 +16,14 @@
 #include <fstream>
 #include <thread>
 
+#include "analysis/store/address.h"
 #include "renderer/base/files.h"
-
-// Declared here because SOCI's header for PostgreSQL needs libpq's, which nothing else does.
-namespace soci {
-extern "C" backend_factory const* factory_postgresql();
-}
 
 namespace obscura::analysis {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kSqliteScheme = "sqlite3://";
-constexpr std::string_view kPostgresqlScheme = "postgresql://";
 /// How long a statement waits for another process that is writing.
 constexpr int kBusyTimeoutS = 10;
 /// The low byte of an extended result code (https://www.sqlite.org/rescode.html).
@@ -45,6 +40,13 @@ constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
 void use_connections_without_locks() {
     static const int done = sqlite_api::sqlite3_config(SQLITE_CONFIG_MULTITHREAD);
     (void)done;  // once SQLite is in use it stays as it is, slower and right
+}
+
+/// A message of a server, which may have several lines.
+std::string one_line(std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
 }
 
 void require_sqlite_header(const fs::path& file) {
@@ -101,29 +103,20 @@ sqlite_api::sqlite3* connection_of(soci::session& session) {
     return static_cast<soci::sqlite3_session_backend*>(session.get_backend())->conn_;
 }
 
-std::string without_password(const std::string& url) {
-    const auto at = url.rfind('@');
-    const auto colon = url.find(':', kPostgresqlScheme.size());
-    if (at == std::string::npos || colon == std::string::npos || colon > at) return url;
-    return url.substr(0, colon) + ":***" + url.substr(at);
-}
-
 }  // namespace
 
 Database::Database(const std::string& url, bool read_only) {
-    if (url.starts_with(kSqliteScheme) && url.size() > kSqliteScheme.size()) {
-        open_sqlite(url.substr(kSqliteScheme.size()), read_only);
-    } else if (url.starts_with(kPostgresqlScheme)) {
-        open_postgresql(url, read_only);
+    const StoreAddress address = store_address(url);
+    name_ = address.shown;
+    if (address.file.empty()) {
+        open_postgresql(address.connection, read_only);
     } else {
-        throw base::bad_input("the store '{}' is no URL of a store, allowed are {}FILE and {}...",
-                              url, kSqliteScheme, kPostgresqlScheme);
+        open_sqlite(address.file, read_only);
     }
 }
 
 void Database::open_sqlite(const std::string& file, bool read_only) {
     system_ = System::kSqlite;
-    name_ = file;
     if (file.find('\0') != std::string::npos) {
         throw base::bad_input("the store's path {} holds a NUL character", file);
     }
@@ -161,20 +154,45 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
     });
 }
 
-void Database::open_postgresql(const std::string& url, bool read_only) {
+void Database::open_postgresql(const std::string& connection, bool read_only) {
     system_ = System::kPostgresql;
-    name_ = without_password(url);
+    read_only_ = read_only;
     try {
-        session_.open(*soci::factory_postgresql(), url);
+        session_.open(soci::postgresql, connection);
     } catch (const soci::soci_error& error) {
-        throw base::bad_input("cannot open the store {}: {}", name_, error.what());
+        throw base::bad_input("cannot open the store {}: {}", name_, one_line(error.what()));
     }
-    guarded("open", [&] {
-        // Notices ("relation exists, skipping") are no errors; doubles keep all 17 digits.
-        execute("SET client_min_messages = warning");
-        execute("SET extra_float_digits = 3");
-        if (read_only) execute("SET SESSION CHARACTERISTICS AS TRANSACTION READ ONLY");
-    });
+    connected_ = true;
+    guarded("open", [&] { settle_connection(); });
+}
+
+void Database::settle_connection() {
+    // Notices ("relation exists, skipping") are no errors; doubles keep all 17 digits.
+    execute("SET client_min_messages = warning");
+    execute("SET extra_float_digits = 3");
+    // An answer is on the disk of the server when it is acknowledged.
+    execute("SET synchronous_commit = on");
+    // What two kiosks do at once is as if one came after the other; where it cannot be, one of them
+    // is told to try again.
+    execute("SET SESSION CHARACTERISTICS AS TRANSACTION ISOLATION LEVEL SERIALIZABLE");
+    if (read_only_) execute("SET SESSION CHARACTERISTICS AS TRANSACTION READ ONLY");
+}
+
+void Database::take_up_connection() {
+    if (!connected_ || reading_ != nullptr) return;
+    const auto* backend =
+        static_cast<soci::postgresql_session_backend*>(session_.get_backend());
+    if (backend != nullptr && PQstatus(backend->conn_) == CONNECTION_OK) return;
+    session_.reconnect();
+    settle_connection();
+}
+
+bool Database::asks_to_try_again(const soci::soci_error& error) {
+    const auto* of_server = dynamic_cast<const soci::postgresql_soci_error*>(&error);
+    if (of_server == nullptr) return false;
+    // serialization_failure and deadlock_detected (PostgreSQL 15, 13.5)
+    const std::string state = of_server->sqlstate();
+    return state == "40001" || state == "40P01";
 }
 
 void Database::keep_in_one_file() {
@@ -210,8 +228,7 @@ void Database::require_whole() {
     session_ << (small ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)"),
         soci::into(finding);
     if (finding == "ok") return;
-    std::replace(finding.begin(), finding.end(), '\n', ' ');  // of a message in one line
-    throw damaged("open", finding);
+    throw damaged("open", one_line(finding));
 }
 
 void Database::require_in_place() {
@@ -251,9 +268,7 @@ base::Error Database::damaged(std::string_view doing, std::string_view reason) c
 base::Error Database::translated(std::string_view doing, const soci::soci_error& error) const {
     const std::string reason = error.what();
     const auto* sqlite = dynamic_cast<const soci::sqlite3_soci_error*>(&error);
-    if (sqlite == nullptr) {
-        return base::failure("cannot {} the store {}: {}", doing, name_, reason);
-    }
+    if (sqlite == nullptr) return translated_of_server(doing, error);
     switch (sqlite->result() & kPrimaryCode) {
         case SQLITE_NOTADB:
             return base::bad_input("cannot {} the store {}: the file is no SQLite database", doing,
@@ -280,6 +295,19 @@ base::Error Database::translated(std::string_view doing, const soci::soci_error&
         default:
             return base::failure("cannot {} the store {}: {}", doing, name_, reason);
     }
+}
+
+base::Error Database::translated_of_server(std::string_view doing,
+                                           const soci::soci_error& error) const {
+    const std::string reason = one_line(error.what());
+    const auto* of_server = dynamic_cast<const soci::postgresql_soci_error*>(&error);
+    const std::string state = of_server != nullptr ? of_server->sqlstate() : "";
+    // read_only_sql_transaction and insufficient_privilege (PostgreSQL 15, appendix A)
+    if (state == "25006" || state == "42501") {
+        return base::bad_input("cannot {} the store {}: it cannot be written there ({})", doing,
+                               name_, reason);
+    }
+    return base::failure("cannot {} the store {}: {}", doing, name_, reason);
 }
 
 Transaction::Transaction(Database& database) : database_(database) {

@@ -18,7 +18,7 @@ class Database {
   public:
     enum class System { kSqlite, kPostgresql };
 
-    /// `url` is sqlite3://FILE or postgresql://...; a missing SQLite file is made unless read-only.
+    /// `url` is what store_address() takes; a missing SQLite file is made unless read-only.
     /// Throws bad input for another URL, a directory, a file that is no SQLite database, a place
     /// that cannot be written (or, read-only, a file that is missing); such a file stays as it is.
     Database(const std::string& url, bool read_only);
@@ -30,6 +30,9 @@ class Database {
 
     /// Runs a statement without values.
     void execute(const std::string& statement) { session() << statement; }
+
+    /// PostgreSQL: two transactions met, and this one, of which nothing stays, is to begin anew.
+    [[nodiscard]] static bool asks_to_try_again(const soci::soci_error& error);
 
     /// SQLite: after a commit everything is in the one file (rollback journal, deleted with each
     /// commit); a write-ahead log of an earlier version is folded in.
@@ -47,6 +50,7 @@ class Database {
     template <typename Work>
     auto guarded(std::string_view doing, Work&& work) {
         try {
+            take_up_connection();
             return std::forward<Work>(work)();
         } catch (const soci::soci_error& error) {
             throw translated(doing, error);
@@ -59,14 +63,21 @@ class Database {
 
     [[nodiscard]] base::Error translated(std::string_view doing,
                                          const soci::soci_error& error) const;
+    [[nodiscard]] base::Error translated_of_server(std::string_view doing,
+                                                   const soci::soci_error& error) const;
     [[nodiscard]] base::Error damaged(std::string_view doing, std::string_view reason) const;
     [[nodiscard]] sqlite_api::sqlite3* sqlite();
+    /// PostgreSQL: connects anew where the server had gone.
+    void take_up_connection();
+    void settle_connection();
     void copy_sqlite_to(soci::session& copy);
     void open_sqlite(const std::string& file, bool read_only);
-    void open_postgresql(const std::string& url, bool read_only);
+    void open_postgresql(const std::string& connection, bool read_only);
 
     System system_ = System::kSqlite;
     std::string name_;
+    bool read_only_ = false;
+    bool connected_ = false;  ///< has been; to a server
     soci::session session_;
     soci::session* reading_ = nullptr;  ///< what the ReadTransaction that is open reads
 };

@@ -3,7 +3,10 @@
 #include "analysis/store/store.h"
 
 #include <algorithm>
+#include <chrono>
+#include <random>
 #include <string_view>
+#include <thread>
 
 #include "analysis/store/checks.h"
 #include "analysis/store/columns.h"
@@ -13,6 +16,9 @@
 
 namespace obscura::analysis {
 namespace {
+
+/// Of a change that meets others: with ten kiosks the third is rare.
+constexpr int kMostAttempts = 50;
 
 /// The session of that id. Throws failure when there is none.
 SessionRecord find_session(Database& database, const std::string& session_id) {
@@ -75,6 +81,19 @@ void refuse_taken_slot(Database& database, const SessionRecord& session) {
     }
 }
 
+std::vector<std::uint64_t> slots_taken(Database& database, const std::string& study,
+                                       std::uint64_t seed, Kind kind) {
+    const auto holders =
+        select(database.session(), sessions_table(),
+               "WHERE state <> 'abandoned' AND study = :study AND kind = :kind ORDER BY slot",
+               {study, std::string(to_string(kind))});
+    std::vector<std::uint64_t> slots;
+    for (const SessionRecord& session : holders) {
+        if (session.seed == seed) slots.push_back(session.slot);
+    }
+    return slots;
+}
+
 void refuse_answered(Database& database, const TrialRecord& trial) {
     const auto answered =
         select(database.session(), trials_table(), "WHERE session_id = :id", {trial.session_id});
@@ -119,11 +138,28 @@ struct Store::Impl {
     template <typename Work>
     void change(std::string_view doing, Work&& work) {
         database.guarded(doing, [&] {
-            database.require_in_place();
+            for (int attempt = 1; !changed(work, attempt == kMostAttempts); ++attempt) {
+                // Those that met do not meet again at once.
+                static thread_local std::minstd_rand random{std::random_device{}()};
+                std::uniform_int_distribution<int> wait_ms(1, 5 * attempt);
+                std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms(random)));
+            }
+        });
+    }
+
+    /// False: it met another one and is to be tried again.
+    template <typename Work>
+    bool changed(Work& work, bool last) {
+        database.require_in_place();
+        try {
             Transaction transaction(database);
             work();
             transaction.commit();
-        });
+            return true;
+        } catch (const soci::soci_error& error) {
+            if (last || !Database::asks_to_try_again(error)) throw;
+            return false;
+        }
     }
 
     template <typename Record>
@@ -163,8 +199,10 @@ Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-void Store::begin_session(const ParticipantRecord& participant, const SessionRecord& session,
-                          const std::vector<EventRecord>& events) {
+std::uint64_t Store::begin_session(const ParticipantRecord& participant,
+                                   const SessionRecord& session,
+                                   const std::vector<EventRecord>& events,
+                                   const MoveSession& move) {
     check(participant);
     check(session);
     for (const EventRecord& event : events) check(event);
@@ -173,16 +211,27 @@ void Store::begin_session(const ParticipantRecord& participant, const SessionRec
                               session.session_id, to_string(session.kind), session.participant_id,
                               to_string(participant.kind), participant.participant_id);
     }
+    std::uint64_t slot = session.slot;
     impl_->change("begin a session in", [&] {
         Database& database = impl_->database;
         refuse_taken_names(database, session);
-        refuse_taken_slot(database, session);
+        SessionRecord placed = session;
+        if (move) {
+            const auto taken = slots_taken(database, session.study, session.seed, session.kind);
+            if (std::find(taken.begin(), taken.end(), placed.slot) != taken.end()) {
+                move(placed, taken);
+                check(placed);
+            }
+        }
+        refuse_taken_slot(database, placed);
         insert(database.session(), participants_table(), participant);
-        insert(database.session(), sessions_table(), session);
+        insert(database.session(), sessions_table(), placed);
         insert(database.session(), events_table(),
                EventRecord{session.session_id, session.started_utc, "session started", ""});
         for (const EventRecord& event : events) insert(database.session(), events_table(), event);
+        slot = placed.slot;
     });
+    return slot;
 }
 
 void Store::add_trial(const TrialRecord& trial) {
@@ -242,15 +291,8 @@ std::vector<SessionRecord> Store::open_sessions(const std::string& study, Kind k
 
 std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uint64_t seed,
                                               Kind kind) {
-    const auto holders =
-        impl_->read(sessions_table(),
-                    "WHERE state <> 'abandoned' AND study = :study AND kind = :kind ORDER BY slot",
-                    {study, std::string(to_string(kind))});
-    std::vector<std::uint64_t> slots;
-    for (const SessionRecord& session : holders) {
-        if (session.seed == seed) slots.push_back(session.slot);
-    }
-    return slots;
+    return impl_->database.guarded(
+        "read", [&] { return slots_taken(impl_->database, study, seed, kind); });
 }
 
 std::vector<ParticipantRecord> Store::participants() {

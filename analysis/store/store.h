@@ -33,7 +33,7 @@ class Store {
                      ///< thrown away where the program does not come to its end
     };
 
-    /// `url` is sqlite3://FILE or postgresql://...
+    /// `url` is what store_address() takes: sqlite3://FILE, postgresql://...
     Store(const std::string& url, Access access);
     ~Store();
     Store(Store&&) noexcept;
@@ -42,8 +42,14 @@ class Store {
     /// Both rows, the event `session started` and `events` of the session, in one transaction.
     /// Refuses a participant or session already there, and a slot that an open or completed session
     /// of the same study, seed and kind holds, also one that another process has just begun.
-    void begin_session(const ParticipantRecord& participant, const SessionRecord& session,
-                       const std::vector<EventRecord>& events = {});
+    ///
+    /// Where a slot is taken by then and `move` is given, `move` puts the session into another one,
+    /// told which are taken: in the same transaction, so that no slot is left out or given twice,
+    /// however many programs begin sessions at once. Gives the slot that it has.
+    using MoveSession = std::function<void(SessionRecord&, const std::vector<std::uint64_t>& taken)>;
+    std::uint64_t begin_session(const ParticipantRecord& participant, const SessionRecord& session,
+                                const std::vector<EventRecord>& events = {},
+                                const MoveSession& move = nullptr);
 
     /// One answer. Refuses one for a session that is not open, an index or condition already
     /// answered, or an is_A_selected that does not follow. A trial is of the session's kind, or

@@ -43,7 +43,7 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
     const auto& [study, of_file] =
         stimuli::read_study(source.text, stimuli::builtin_scenes(), source.folder);
     std::vector<stimuli::StudyProblem> problems = of_file;
-    for (auto& problem : kiosk::problems_of_texts(study.shown_texts)) {
+    for (auto& problem : kiosk::problems_of_texts(study)) {
         problems.push_back(std::move(problem));
     }
     if (!problems.empty()) {
@@ -58,6 +58,9 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
     }
     for (const auto& notes : {stimuli::notes_on(study), kiosk::notes_on_pages(study)}) {
         for (const std::string& note : notes) fmt::print("{}: note: {}\n", source.name, note);
+    }
+    if (const std::string note = kiosk::note_on_words(study); !note.empty()) {
+        fmt::print("{}: note: {}\n", source.name, note);
     }
     const std::size_t conditions = study.conditions.size();
     const std::size_t count = warnings.size();

@@ -37,7 +37,7 @@ void refuse_missing_folder(const std::string& url) {
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
-    if (const auto problems = kiosk::problems_of_texts(study.shown_texts); !problems.empty()) {
+    if (const auto problems = kiosk::problems_of_texts(study); !problems.empty()) {
         throw base::bad_input(
             "{}", stimuli::to_lines(problems, stimuli::study_source(options.study).name));
     }

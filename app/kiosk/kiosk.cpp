@@ -8,6 +8,7 @@
 #include <exception>
 #include <optional>
 
+#include "analysis/store/address.h"
 #include "analysis/store/store.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
@@ -48,10 +49,10 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
     return store_url.starts_with("sqlite3://");
 }
 
-[[nodiscard]] std::string saved_note(const std::string& store_url) {
-    if (!is_file(store_url)) return "All answers are saved.";
-    return fmt::format("All answers are saved, in the one file {}: a copy of it has them all.",
-                       std::filesystem::path(store_url).filename().string());
+[[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
+    if (!is_file(store_url)) return words("all_saved");
+    return words("all_saved_in",
+                 {{"file", std::filesystem::path(store_url).filename().string()}});
 }
 
 /// One kiosk in its window.
@@ -91,11 +92,9 @@ class Kiosk {
                 return done_aside(stage_, page_shown, work);
             } catch (const std::exception& error) {
                 base::log::error("cannot {}: {}", purpose, error.what());
-                const Trouble trouble{
-                    "The store of the answers does not respond", error.what(),
-                    fmt::format("It is needed to {}. Every answer so far is saved. Mend the store, "
-                                "then try again.",
-                                purpose)};
+                const Trouble trouble{study_.words("store_silent"),
+                                      fmt::format("cannot {}: {}", purpose, error.what()),
+                                      study_.words("store_silent_text")};
                 if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
                     return std::nullopt;
                 }
@@ -222,27 +221,29 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    std::vector<std::string> texts = texts_of_pages(study);
-    const std::string note = saved_note(options.store_url);
-    texts.push_back(note);
-    Ui ui(window, texts, study.grey_level);
-    Stage stage{window, ui, study, options.folder, measure_pace(window, study.grey_level), note};
+    Ui ui(window, study.words, study.grey_level);
+    Stage stage{window,
+                ui,
+                study,
+                options.folder,
+                measure_pace(window, study.grey_level),
+                saved_note(study.words, options.store_url)};
     base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                     stage.pace.locked ? "presenting waits for the refresh"
                                       : "presenting does not wait for the refresh");
-    base::log::info("answers go to {}", options.store_url);
+    base::log::info("answers go to {}", analysis::without_password(options.store_url));
     if (is_file(options.store_url)) {
         base::log::info(
             "that one file has every answer whenever a page is shown: copy it as it is");
     }
-    base::log::info("{}", kOperatorsKey);
+    base::log::info("{}", stimuli::Words()("operators_key"));
     Kiosk kiosk(study, manifest, store, stage);
     kiosk.run();
     if (kiosk.unsaved() > 0) {
         throw base::failure(
             "{} could not be saved in {}: what was answered stands above",
             kiosk.unsaved() == 1 ? "1 row" : fmt::format("{} rows", kiosk.unsaved()),
-            options.store_url);
+            analysis::without_password(options.store_url));
     }
     store.require_in_place();
 }

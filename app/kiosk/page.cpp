@@ -114,10 +114,10 @@ void obey(PageState& page, const Stroke& stroke, float visible_px) {
             up_or_down(-1);
             break;
         case GLFW_KEY_RIGHT:
-            if (moves && !typing) move_by_one(page, 1);
+            if (moves && !typing) move_by_one(page, is_mirrored() ? -1 : 1);
             break;
         case GLFW_KEY_LEFT:
-            if (moves && !typing) move_by_one(page, -1);
+            if (moves && !typing) move_by_one(page, is_mirrored() ? 1 : -1);
             break;
         case GLFW_KEY_PAGE_DOWN:
             page.scroll_px += turn_px;
@@ -168,7 +168,7 @@ void draw_body(PageState& page, const std::function<void()>& body, float visible
 
 /// Stands in place of the foot until the end was seen.
 void draw_way_to_the_end(PageState& page, float visible_px) {
-    if (primary_button("Please read on to the end")) {
+    if (primary_button(words()("read_on"))) {
         page.scroll_px = std::max(1.0F, visible_px - kKeptInView * ImGui::GetFontSize());
     }
 }
@@ -178,6 +178,10 @@ void draw_way_to_the_end(PageState& page, float visible_px) {
 float times_text(float times) { return std::round(times * ImGui::GetFontSize()); }
 
 PageState& page_state() { return *static_cast<PageState*>(ImGui::GetIO().UserData); }
+
+const stimuli::Words& words() { return *page_state().tools.words; }
+
+bool is_mirrored() { return words().right_to_left(); }
 
 void card(const char* name, float columns, const std::function<void()>& body,
           const std::function<void()>& foot, Keyboard keyboard) {

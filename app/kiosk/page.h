@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/kiosk/input.h"
+#include "app/kiosk/typesetter.h"
+#include "stimuli/words.h"
 
 namespace obscura::app::kiosk {
 
@@ -26,8 +28,15 @@ struct FocusStop {
 /// scroll bar when twice, and with that its height again.
 inline constexpr int kFirstFrames = 4;
 
+/// What every page is written with. Both outlive the page.
+struct PageTools {
+    Typesetter* typesetter = nullptr;
+    const stimuli::Words* words = nullptr;
+};
+
 /// What a page on the screen remembers from frame to frame; a page shown anew begins anew.
 struct PageState {
+    PageTools tools;
     bool end_seen = false;  ///< its last line was in view
     InputFrame input;       ///< for the frame being drawn
     int frames = 0;         ///< drawn so far
@@ -45,10 +54,22 @@ struct PageState {
     unsigned focus = 0;      ///< the stop where the keyboard is
     bool reveal = false;     ///< scroll until that is in view
     bool focus_next = false;
+
+    /// As a page that nobody has seen.
+    void begin_anew() {
+        const PageTools kept = tools;
+        *this = PageState();
+        tools = kept;
+    }
 };
 
 /// That of the current Dear ImGui context, which Ui puts there.
 [[nodiscard]] PageState& page_state();
+
+/// The kiosk's words, in the language of the page.
+[[nodiscard]] const stimuli::Words& words();
+/// Whether the page is mirrored: its language is written from right to left.
+[[nodiscard]] bool is_mirrored();
 
 /// A card in the middle of the window, `columns` times the text's height wide: a body, and a foot
 /// that stays in view below it. A body that is higher than the window has room for opens at its

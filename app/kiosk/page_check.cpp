@@ -19,15 +19,18 @@ namespace {
 /// Dear ImGui without a window: pages are laid out and never drawn.
 class Layout {
   public:
-    Layout(const std::vector<std::string>& texts, Extent window)
-        : before_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()) {
+    Layout(const stimuli::Words& words, Extent window)
+        : before_(ImGui::GetCurrentContext()),
+          context_(ImGui::CreateContext()),
+          typesetter_(words.language(), words.right_to_left(), Typesetter::Draws::kNothing) {
+        page_.tools = {&typesetter_, &words};
         ImGui::SetCurrentContext(context_);
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.UserData = &page_;
         io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
         try {
-            fonts_ = load_fonts(texts, window.height);
+            fonts_ = load_fonts({}, window.height);
         } catch (...) {
             end();
             throw;
@@ -39,9 +42,10 @@ class Layout {
     Layout& operator=(const Layout&) = delete;
 
     [[nodiscard]] bool holds(const std::function<void(const Fonts&)>& page) {
-        page_ = {};
+        page_.begin_anew();
         for (int frame = 0; frame < kFirstFrames; ++frame) {
             ImGui::NewFrame();
+            typesetter_.note_uses();
             page(fonts_);
             ImGui::EndFrame();
         }
@@ -56,6 +60,7 @@ class Layout {
 
     ImGuiContext* before_;
     ImGuiContext* context_;
+    Typesetter typesetter_;
     PageState page_;
     Fonts fonts_;
 };
@@ -65,7 +70,7 @@ class Layout {
 std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
     const Extent window{std::max(kSmallestWindow.width, study.width),
                         std::max(kSmallestWindow.height, study.height)};
-    Layout layout(texts_of_pages(study), window);
+    Layout layout(study.words, window);
     const int count = static_cast<int>(study.conditions.size());
     std::vector<std::string> notes;
     const auto note = [&](const char* what, const std::function<void(const Fonts&)>& page) {
@@ -80,7 +85,7 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
     note("the question is",
          [&](const Fonts& fonts) { (void)question_screen(fonts, study, 0, count); });
     note("the thanks are",
-         [&](const Fonts& fonts) { thanks_screen(fonts, study, "All answers are saved."); });
+         [&](const Fonts& fonts) { thanks_screen(fonts, study, study.words("all_saved")); });
     note("the list of pairs is", [&](const Fonts& fonts) { (void)pairs_screen(fonts, 0, count); });
     return notes;
 }

@@ -25,13 +25,9 @@ template <typename T>
 }  // namespace
 
 FormProblems problems_of(const Form& form) {
-    FormProblems problems;
-    if (!form.age_years || *form.age_years < kYoungest_years || *form.age_years > kOldest_years) {
-        problems.age =
-            fmt::format("Please give your age, from {} to {}.", kYoungest_years, kOldest_years);
-    }
-    if (!form.consent) problems.consent = "Taking part needs your consent.";
-    return problems;
+    return {.age = !form.age_years || *form.age_years < kYoungest_years ||
+                   *form.age_years > kOldest_years,
+            .consent = !form.consent};
 }
 
 Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)

@@ -43,12 +43,12 @@ inline constexpr const char* kRatherNotSayStored = "rather not say";
 inline constexpr int kYoungest_years = 1;
 inline constexpr int kOldest_years = 120;
 
-/// What keeps the form from being accepted, a sentence for the participant; empty when all is well.
-/// Consent and an age from 1 to 120 are needed; the other questions may stay unanswered.
+/// What keeps the form from being accepted. Consent and an age from 1 to 120 are needed; the other
+/// questions may stay unanswered.
 struct FormProblems {
-    std::string age;
-    std::string consent;
-    [[nodiscard]] bool none() const { return age.empty() && consent.empty(); }
+    bool age = false;
+    bool consent = false;
+    [[nodiscard]] bool none() const { return !age && !consent; }
 };
 [[nodiscard]] FormProblems problems_of(const Form& form);
 

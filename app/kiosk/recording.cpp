@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
+#include <optional>
 
 #include "renderer/base/error.h"
 #include "stimuli/order/order.h"
@@ -15,7 +17,7 @@ struct Commit {
     analysis::Store& store;
 
     void operator()(const BeginSession& row) const {
-        store.begin_session(row.participant, row.session, row.events);
+        (void)store.begin_session(row.participant, row.session, row.events);
     }
     void operator()(const analysis::TrialRecord& row) const { store.add_trial(row); }
     void operator()(const CompleteSession& row) const {
@@ -52,71 +54,71 @@ struct IsCommitted {
     }
 };
 
-[[nodiscard]] BeginSession with_order(BeginSession row, const stimuli::SessionOrder& order) {
-    row.session.slot = order.slot;
-    row.session.latin_square = order.latin_square;
-    row.session.latin_row = order.latin_row;
-    row.session.swapped = order.swapped;
-    return row;
+void set_order(analysis::SessionRecord& session, const stimuli::SessionOrder& order) {
+    session.slot = order.slot;
+    session.latin_square = order.latin_square;
+    session.latin_row = order.latin_row;
+    session.swapped = order.swapped;
 }
 
-/// The next free slot where another session holds that of `session`; nothing where none does or
-/// the store cannot be read.
-[[nodiscard]] std::optional<std::uint64_t> slot_instead(analysis::Store& store,
-                                                        const analysis::SessionRecord& session) {
+enum class Outcome { kCommitted, kNotCommitted, kUnknown };
+
+/// Of a try that failed. Unknown where the store cannot be read either.
+[[nodiscard]] Outcome outcome_of(analysis::Store& store, const Row& row) {
     try {
-        const auto sessions = store.sessions();
-        const bool taken = std::any_of(sessions.begin(), sessions.end(), [&](const auto& other) {
-            return other.session_id != session.session_id && other.study == session.study &&
-                   other.seed == session.seed && other.kind == session.kind &&
-                   other.slot == session.slot && other.state != analysis::SessionState::kAbandoned;
-        });
-        if (!taken) return std::nullopt;
-        return stimuli::next_slot(store.taken_slots(session.study, session.seed, session.kind));
+        return std::visit(IsCommitted{store}, row) ? Outcome::kCommitted : Outcome::kNotCommitted;
     } catch (const std::exception&) {
-        return std::nullopt;
+        return Outcome::kUnknown;
     }
 }
 
-/// False also where the store cannot be read: then the reason of the failed try matters.
-[[nodiscard]] bool is_known_to_be_committed(analysis::Store& store, const Row& row) {
+/// `work` brings the row to the store. Where it fails and the store answers all the same, as a
+/// server does that was away for a moment, it is tried once more.
+void commit_by(const std::function<void()>& work, analysis::Store& store, const Row& row) {
     try {
-        return std::visit(IsCommitted{store}, row);
-    } catch (const std::exception&) {
-        return false;
+        work();
+        return;
+    } catch (...) {
+        const Outcome outcome = outcome_of(store, row);
+        if (outcome == Outcome::kCommitted) return;
+        if (outcome == Outcome::kUnknown) throw;
     }
+    work();
+}
+
+/// The session as the store has it, whose place in the order an earlier try may have moved.
+[[nodiscard]] std::optional<std::uint64_t> slot_in(analysis::Store& store,
+                                                   const std::string& session_id) {
+    for (const auto& session : store.sessions()) {
+        if (session.session_id == session_id) return session.slot;
+    }
+    return std::nullopt;
+}
+
+/// The procedure's order holds, not that of the row: an earlier try may have changed it.
+void commit_begin(analysis::Store& store, const stimuli::Study& study, Procedure& procedure,
+                  BeginSession row) {
+    set_order(row.session, procedure.plan().order);
+    std::uint64_t slot = row.session.slot;
+    commit_by(
+        [&] {
+            slot = store.begin_session(
+                row.participant, row.session, row.events,
+                [&study](analysis::SessionRecord& session,
+                         const std::vector<std::uint64_t>& taken) {
+                    set_order(session, study.session_order(stimuli::next_slot(taken)));
+                });
+        },
+        store, row);
+    if (slot == row.session.slot) slot = slot_in(store, row.session.session_id).value_or(slot);
+    if (slot != procedure.plan().order.slot) procedure.change_order(study.session_order(slot));
 }
 
 }  // namespace
 
 void commit(analysis::Store& store, const Row& row) {
-    try {
-        std::visit(Commit{store}, row);
-    } catch (...) {
-        if (is_known_to_be_committed(store, row)) return;
-        throw;
-    }
+    commit_by([&] { std::visit(Commit{store}, row); }, store, row);
 }
-
-namespace {
-
-/// The procedure's order holds, not that of the row: an earlier try may have changed it.
-void commit_begin(analysis::Store& store, const stimuli::Study& study, Procedure& procedure,
-                  const BeginSession& row) {
-    while (true) {
-        const BeginSession planned = with_order(row, procedure.plan().order);
-        try {
-            commit(store, planned);
-            return;
-        } catch (const base::Error&) {
-            const auto slot = slot_instead(store, planned.session);
-            if (!slot) throw;
-            procedure.change_order(study.session_order(*slot));
-        }
-    }
-}
-
-}  // namespace
 
 Journal journal_to(analysis::Store& store) {
     return Journal([&store](const Row& row) { commit(store, row); },

@@ -14,7 +14,8 @@
 
 namespace obscura::app::kiosk {
 
-// One page a file. Each draws itself with Dear ImGui and gives back what was pressed, if anything.
+// One page a file. Each draws itself with Dear ImGui, in the page's words(), and gives back what
+// was pressed, if anything.
 
 [[nodiscard]] std::optional<Event> start_screen(const Fonts& fonts);
 
@@ -83,11 +84,5 @@ void hidden_screen(const Fonts& fonts, Sight why, const std::string& state);
 
 /// While the store takes its time.
 void saving_screen(const Fonts& fonts);
-
-/// How the operator leaves, on every page that is the operator's too.
-inline constexpr const char* kOperatorsKey = "The operator leaves with Ctrl+Shift+Q.";
-
-/// The study's texts on the pages, and what of the pages' own is not plain ASCII, for the fonts.
-[[nodiscard]] std::vector<std::string> texts_of_pages(const stimuli::Study& study);
 
 }  // namespace obscura::app::kiosk

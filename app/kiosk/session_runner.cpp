@@ -62,23 +62,24 @@ constexpr double kImageWait_s = 0.5;
     switch (press.key) {
         case GLFW_KEY_1:
         case GLFW_KEY_KP_1:
-        case GLFW_KEY_LEFT:
             return Answered{true};
         case GLFW_KEY_2:
         case GLFW_KEY_KP_2:
-        case GLFW_KEY_RIGHT:
             return Answered{false};
+        // Towards the button: on a mirrored page the first is at the right.
+        case GLFW_KEY_LEFT:
+            return Answered{!study.words.right_to_left()};
+        case GLFW_KEY_RIGHT:
+            return Answered{study.words.right_to_left()};
         default:
             return std::nullopt;
     }
 }
 
-[[nodiscard]] Trouble trouble_of(const Row& row, const std::string& reason) {
-    return {"This could not be saved", reason,
-            fmt::format("It is {}; everything before it is saved. Make room or mend the store, "
-                        "then try again. Leaving gives it up: it is then written to the terminal "
-                        "only, and the session can be continued at that pair.",
-                        name_of(row))};
+[[nodiscard]] Trouble trouble_of(const Row& row, const std::string& reason,
+                                 const stimuli::Words& words) {
+    return {words("not_saved"), fmt::format("{}: {}", name_of(row), reason),
+            words("not_saved_text")};
 }
 
 }  // namespace
@@ -105,6 +106,7 @@ SessionRunner::End SessionRunner::run() {
 }
 
 bool SessionRunner::save() {
+    const stimuli::Words& words = stage_.study.words;
     bool covered = false;
     while (const std::optional<std::string> reason = flush(covered)) {
         const bool nothing_waits = journal_.waiting().empty();
@@ -112,10 +114,9 @@ bool SessionRunner::save() {
                          nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
                          *reason);
         const Trouble trouble =
-            nothing_waits ? Trouble{"The store of the answers is not where it was", *reason,
-                                    "Put it back, then try again. After leaving, the session can "
-                                    "be continued at this place."}
-                          : trouble_of(journal_.waiting().front(), *reason);
+            nothing_waits
+                ? Trouble{words("store_moved"), *reason, words("store_moved_text")}
+                : trouble_of(journal_.waiting().front(), *reason, words);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting())
                 base::log::error("not saved: {}", describe(row));
@@ -189,9 +190,8 @@ bool SessionRunner::load_pair() {
             loaded_ = LoadedPair{pair, load(0), load(1)};
         } catch (const base::Error& error) {
             base::log::error("{}", error.what());
-            const Trouble trouble{"An image cannot be shown", error.what(),
-                                  "Every answer so far is saved. The session stays open and can "
-                                  "be continued at this pair."};
+            const stimuli::Words& words = stage_.study.words;
+            const Trouble trouble{words("no_image"), error.what(), words("no_image_text")};
             if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) return false;
             idle_frames_ = 0;
         }

@@ -3,7 +3,7 @@
 #include "app/kiosk/text_check.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <fmt/ranges.h>
 #include <unicode/uchar.h>
 #include <unicode/uscript.h>
 
@@ -13,24 +13,12 @@
 #include <set>
 
 #include "app/kiosk/font_files.h"
+#include "app/kiosk/typesetter.h"
 
 namespace obscura::app::kiosk {
 namespace {
 
-/// Dear ImGui's type of a character ends here; Debian's has 16 bits.
-constexpr char32_t kLast = sizeof(ImWchar) == 2 ? 0xFFFF : 0x10FFFF;
-
 constexpr std::size_t kNamed = 6;  // characters that a sentence names
-
-/// Scripts whose letters stand side by side from left to right, one glyph each.
-constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_GREEK,
-                                   USCRIPT_CYRILLIC, USCRIPT_ARMENIAN, USCRIPT_GEORGIAN,
-                                   USCRIPT_HAN,      USCRIPT_HIRAGANA, USCRIPT_KATAKANA,
-                                   USCRIPT_HANGUL,   USCRIPT_BOPOMOFO, USCRIPT_YI,
-                                   USCRIPT_ETHIOPIC, USCRIPT_CHEROKEE, USCRIPT_CANADIAN_ABORIGINAL,
-                                   USCRIPT_TIFINAGH, USCRIPT_BRAILLE,  USCRIPT_COPTIC,
-                                   USCRIPT_OGHAM,    USCRIPT_RUNIC,    USCRIPT_VAI,
-                                   USCRIPT_INHERITED};
 
 [[nodiscard]] UScriptCode script_of(char32_t character) {
     UErrorCode error = U_ZERO_ERROR;
@@ -46,51 +34,10 @@ constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_G
     return fmt::format("U+{:04X} {}", static_cast<std::uint32_t>(character), name.data());
 }
 
-[[nodiscard]] bool is_of(char32_t character, std::uint32_t categories) {
-    return (U_GET_GC_MASK(static_cast<UChar32>(character)) & categories) != 0;
-}
-
-/// Why no font helps, and what does; empty where a font suffices.
-[[nodiscard]] std::string obstacle_of(char32_t character) {
-    const auto code = static_cast<UChar32>(character);
-    const UScriptCode script = script_of(character);
-    if (uscript_isRightToLeft(script) != 0) {
-        return fmt::format(
-            "the script {} is written from right to left, which the kiosk does not "
-            "support yet",
-            uscript_getName(script));
-    }
-    const bool plain =
-        std::find(kPlainScripts.begin(), kPlainScripts.end(), script) != kPlainScripts.end();
-    if (!plain && script != USCRIPT_UNKNOWN) {
-        return fmt::format(
-            "the kiosk does not support the script {} yet, whose letters may change or "
-            "move beside each other",
-            uscript_getName(script));
-    }
-    if (is_of(character, U_GC_CC_MASK | U_GC_ZL_MASK | U_GC_ZP_MASK | U_GC_CS_MASK)) {
-        return character == U'\t' ? "" : "a control character is no text: take it out";
-    }
-    if (is_of(character, U_GC_CF_MASK)) {
-        return "an invisible sign on how to set the text, which the kiosk does not follow: take it "
-               "out";
-    }
-    if (is_of(character, U_GC_M_MASK)) {
-        return "a mark that combines with the character before it, which the kiosk cannot place: "
-               "write both as one character (Unicode's form NFC) where there is one, or leave the "
-               "mark out";
-    }
-    const int syllable = u_getIntPropertyValue(code, UCHAR_HANGUL_SYLLABLE_TYPE);
-    if (syllable == U_HST_LEADING_JAMO || syllable == U_HST_VOWEL_JAMO ||
-        syllable == U_HST_TRAILING_JAMO) {
-        return "a part of a syllable, which the kiosk cannot join: write whole syllables "
-               "(Unicode's form NFC)";
-    }
-    if (character > kLast) {
-        return "the kiosk cannot draw characters beyond U+FFFF (emoji, rare ideographs and signs) "
-               "yet";
-    }
-    return "";
+/// What is no text on a page, whatever the fonts.
+[[nodiscard]] bool is_control(char32_t character) {
+    const bool layout = character == U'\t' || character == U'\n' || character == U'\r';
+    return !layout && (U_GET_GC_MASK(static_cast<UChar32>(character)) & U_GC_CC_MASK) != 0;
 }
 
 /// The Debian package whose fonts have the characters of a script.
@@ -106,7 +53,8 @@ constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_G
             const int width =
                 u_getIntPropertyValue(static_cast<UChar32>(character), UCHAR_EAST_ASIAN_WIDTH);
             const bool emoji = u_hasBinaryProperty(static_cast<UChar32>(character), UCHAR_EMOJI);
-            if (!emoji && (width == U_EA_WIDE || width == U_EA_FULLWIDTH)) return "fonts-noto-cjk";
+            if (emoji) return "fonts-noto-color-emoji";
+            if (width == U_EA_WIDE || width == U_EA_FULLWIDTH) return "fonts-noto-cjk";
             return "fonts-noto-core or fonts-symbola";
         }
         default:
@@ -128,26 +76,21 @@ constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_G
     return names;
 }
 
-}  // namespace
-
-std::vector<std::string> problems_of_text(const std::string& text) {
-    std::map<std::string, std::set<char32_t>> obstacles;
-    std::set<char32_t> settable;
+[[nodiscard]] std::vector<std::string> problems_with(Typesetter& typesetter,
+                                                     const std::string& text) {
+    std::set<char32_t> control;
     for (const char32_t character : characters_of({text})) {
-        std::string obstacle = obstacle_of(character);
-        if (obstacle.empty()) {
-            settable.insert(character);
-        } else {
-            obstacles[std::move(obstacle)].insert(character);
-        }
+        if (is_control(character)) control.insert(character);
     }
     std::map<std::string, std::set<char32_t>> packages;
-    for (const char32_t character : choose_fonts(settable).missing) {
-        packages[package_for(character)].insert(character);
+    for (const char32_t character : typesetter.characters_without_glyph(text)) {
+        if (!control.contains(character)) packages[package_for(character)].insert(character);
     }
     std::vector<std::string> problems;
-    for (const auto& [obstacle, characters] : obstacles) {
-        problems.push_back(fmt::format("cannot be shown: {}: {}", listed(characters), obstacle));
+    if (!control.empty()) {
+        problems.push_back(
+            fmt::format("cannot be shown: {}: a control character is no text: take it out",
+                        listed(control)));
     }
     for (const auto& [package, characters] : packages) {
         problems.push_back(
@@ -157,14 +100,49 @@ std::vector<std::string> problems_of_text(const std::string& text) {
     return problems;
 }
 
-std::vector<stimuli::StudyProblem> problems_of_texts(const std::vector<stimuli::ShownText>& texts) {
+[[nodiscard]] bool is_from_the_right(const std::string& language) {
+    return stimuli::Words(language).right_to_left();
+}
+
+}  // namespace
+
+std::vector<std::string> problems_of_text(const std::string& text, const std::string& language) {
+    Typesetter typesetter(language, is_from_the_right(language), Typesetter::Draws::kNothing);
+    return problems_with(typesetter, text);
+}
+
+std::vector<stimuli::StudyProblem> problems_of_texts(const stimuli::Study& study) {
+    const std::string& language = study.words.language();
+    Typesetter typesetter(language, study.words.right_to_left(), Typesetter::Draws::kNothing);
     std::vector<stimuli::StudyProblem> problems;
-    for (const stimuli::ShownText& shown : texts) {
-        for (const std::string& problem : problems_of_text(shown.text)) {
-            problems.push_back({shown.line, fmt::format("study: {}: {}", shown.key, problem)});
+    for (const stimuli::ShownText& shown : study.shown_texts) {
+        for (const std::string& problem : problems_with(typesetter, shown.text)) {
+            problems.push_back({shown.line, fmt::format("{}: {}", shown.key, problem)});
         }
     }
+    std::string all_words;
+    const auto& catalogue = stimuli::catalogue_words(language);
+    for (const auto& [key, text] : study.words.all()) {
+        if (text == catalogue.at(key)) all_words += text + '\n';
+    }
+    for (const std::string& problem : problems_with(typesetter, all_words)) {
+        problems.push_back(
+            {0, fmt::format("the kiosk's own words in the language {}: {}", language, problem)});
+    }
     return problems;
+}
+
+std::string note_on_words(const stimuli::Study& study) {
+    const std::string& language = study.words.language();
+    std::vector<std::string> english;
+    for (const std::string& key : stimuli::missing_words(language)) {
+        if (study.words(key) == stimuli::catalogue_words("en").at(key)) english.push_back(key);
+    }
+    if (english.empty()) return "";
+    return fmt::format(
+        "the kiosk's own words are English where the language {} lacks them; [texts] can say "
+        "them: {}",
+        language, fmt::join(english, ", "));
 }
 
 }  // namespace obscura::app::kiosk

@@ -10,16 +10,17 @@
 namespace obscura::app::kiosk {
 
 /// What of a text (UTF-8) the pages cannot set rightly, a sentence for each kind: it names the
-/// characters with their code points, and the package of a font that this machine lacks, how to
-/// write them otherwise, or that the kiosk does not support them yet. Empty: all is well.
-///
-/// The pages draw one glyph for each code point, from left to right, in one colour. That sets
-/// rightly what is written so (Latin, Greek, Cyrillic, Chinese, Japanese, Korean ...), not what is
-/// joined, reordered, stacked, or runs from right to left.
-[[nodiscard]] std::vector<std::string> problems_of_text(const std::string& text);
+/// characters with their code points, and the package of a font that this machine lacks, or
+/// what to do about them. Empty: all is well. `language` (BCP 47) is that of the page.
+[[nodiscard]] std::vector<std::string> problems_of_text(const std::string& text,
+                                                        const std::string& language = "en");
 
-/// The same for texts of a study, each problem at its line.
-[[nodiscard]] std::vector<stimuli::StudyProblem> problems_of_texts(
-    const std::vector<stimuli::ShownText>& texts);
+/// The same for all that a participant of the study reads, each problem at its line; those of the
+/// kiosk's own words are told once, of the whole file.
+[[nodiscard]] std::vector<stimuli::StudyProblem> problems_of_texts(const stimuli::Study& study);
+
+/// A sentence where the kiosk's words are not all in the study's language, nor given by the study:
+/// those are English. Empty: they are.
+[[nodiscard]] std::string note_on_words(const stimuli::Study& study);
 
 }  // namespace obscura::app::kiosk

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/text_entry.h"
 
-#include <fmt/format.h>
 #include <utf8.h>
 
 #include <algorithm>
@@ -30,27 +29,26 @@ void TextEntry::type(char32_t character) {
     if (!is_printable(character)) return;
     const bool digit = character >= U'0' && character <= U'9';
     if (takes_ == Takes::kDigits && !digit) {
-        note_ = "Only the digits 0 to 9 can be given here.";
+        note_ = Note::kOnlyDigits;
     } else if (text_.size() >= most_) {
-        note_ = fmt::format("There is room for {} {}; what is typed beyond is left out.", most_,
-                            takes_ == Takes::kDigits ? "digits" : "characters");
+        note_ = Note::kFull;
     } else {
         text_.insert(caret_, 1, character);
         ++caret_;
-        note_.clear();
+        note_ = Note::kNone;
     }
 }
 
 void TextEntry::erase_before() {
     if (caret_ == 0) return;
     text_.erase(--caret_, 1);
-    note_.clear();
+    note_ = Note::kNone;
 }
 
 void TextEntry::erase_after() {
     if (caret_ == text_.size()) return;
     text_.erase(caret_, 1);
-    note_.clear();
+    note_ = Note::kNone;
 }
 
 void TextEntry::move(int by) {

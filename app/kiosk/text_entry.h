@@ -11,6 +11,8 @@ namespace obscura::app::kiosk {
 class TextEntry {
   public:
     enum class Takes { kText, kDigits };
+    /// What was not taken of what was typed last.
+    enum class Note { kNone, kOnlyDigits, kFull };
 
     /// At most `most` characters (code points).
     explicit TextEntry(std::size_t most, Takes takes = Takes::kText) : most_(most), takes_(takes) {}
@@ -29,15 +31,15 @@ class TextEntry {
     [[nodiscard]] std::string utf8() const;
     /// Characters before it.
     [[nodiscard]] std::size_t caret() const { return caret_; }
-    /// A sentence on what was not taken; empty: all was.
-    [[nodiscard]] const std::string& note() const { return note_; }
+    [[nodiscard]] Note note() const { return note_; }
+    [[nodiscard]] std::size_t most() const { return most_; }
 
   private:
     std::size_t most_;
     Takes takes_;
     std::u32string text_;
     std::size_t caret_ = 0;
-    std::string note_;
+    Note note_ = Note::kNone;
 };
 
 /// One character in UTF-8.

@@ -18,8 +18,11 @@
 
 namespace obscura::app::kiosk {
 
-Ui::Ui(Window& window, const std::vector<std::string>& texts, int grey_level)
-    : window_(window), grey_level_(grey_level) {
+Ui::Ui(Window& window, const stimuli::Words& words, int grey_level)
+    : window_(window),
+      typesetter_(words.language(), words.right_to_left(), Typesetter::Draws::kTextures),
+      grey_level_(grey_level) {
+    page_.tools = {&typesetter_, &words};
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -29,7 +32,7 @@ Ui::Ui(Window& window, const std::vector<std::string>& texts, int grey_level)
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     try {
-        fonts_ = load_fonts(texts, window.size().height);
+        fonts_ = load_fonts({}, window.size().height);
     } catch (...) {
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();
@@ -46,7 +49,8 @@ Ui::~Ui() {
 }
 
 void Ui::begin_page() {
-    page_ = {};
+    page_.begin_anew();
+    typesetter_.forget_unused();
     ImGui::ClearActiveID();
     window_.input().open_at(std::numeric_limits<double>::infinity());
     window_.input().forget();
@@ -75,6 +79,7 @@ void Ui::draw(const std::function<void()>& page) {
     ImGui_ImplGlfw_NewFrame();
     hand_over_input();
     ImGui::NewFrame();
+    typesetter_.note_uses();
     page();
     ImGui::Render();
     draw_grey(window_.size(), grey_level_);

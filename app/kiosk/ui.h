@@ -3,8 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "app/kiosk/fonts.h"
 #include "app/kiosk/page.h"
@@ -15,9 +13,9 @@ namespace obscura::app::kiosk {
 /// Dear ImGui in the kiosk's window: draws pages.
 class Ui {
   public:
-    /// `texts` are the study's, for their characters; `grey_level` is the surround. `window` must
-    /// outlive it.
-    Ui(Window& window, const std::vector<std::string>& texts, int grey_level);
+    /// The pages are in the language of `words`; `grey_level` is the surround. `window` and `words`
+    /// must outlive it.
+    Ui(Window& window, const stimuli::Words& words, int grey_level);
     ~Ui();
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
@@ -40,6 +38,7 @@ class Ui {
     void hand_over_input();
 
     Window& window_;
+    Typesetter typesetter_;
     PageState page_;
     int grey_level_;
     Fonts fonts_;

@@ -7,11 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string_view>
 
-// Only for the names of the keys.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "app/kiosk/set_text.h"
 #include "app/kiosk/theme.h"
 
 namespace obscura::app::kiosk {
@@ -23,7 +22,36 @@ using namespace theme;
 constexpr float kLeading = 0.32F;
 constexpr float kParagraphGap = 0.25F;
 
+/// In the font and colour of the moment; 0 wide: on one line.
+[[nodiscard]] const SetText& set_text(const std::string& text, float width_px = 0.0F,
+                                      bool centred = false) {
+    return page_state().tools.typesetter->set(
+        text, {.text_px = ImGui::GetFontSize(),
+               .width_px = std::floor(width_px),
+               .between_lines_px = times_text(kLeading),
+               .colour = ImGui::GetColorU32(ImGuiCol_Text),
+               .centred = centred});
+}
+
+/// A text as wide as the card, as an item of Dear ImGui.
+void put_lines(const std::string& text) {
+    const float width_px = ImGui::GetContentRegionAvail().x;
+    const SetText& set = set_text(text, width_px);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_text(set, {at.x + set.left_px, at.y});
+    ImGui::Dummy({width_px, set.height_px});
+}
+
 }  // namespace
+
+void draw_text(const SetText& text, ImVec2 at) {
+    for (const TextTile& tile : text.tiles) {
+        const ImVec2 from{std::round(at.x) + tile.left_px, std::round(at.y) + tile.top_px};
+        ImGui::GetWindowDrawList()->AddImage(
+            reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(tile.texture)), from,
+            {from.x + tile.width_px, from.y + tile.height_px});
+    }
+}
 
 void set_style(float text_px) {
     ImGuiStyle& style = ImGui::GetStyle();
@@ -56,33 +84,24 @@ void set_style(float text_px) {
 
 void heading(const Fonts& fonts, const std::string& text) {
     ImGui::PushFont(fonts.heading);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    ImGui::PopTextWrapPos();
+    put_lines(text);
     ImGui::PopFont();
     gap(0.4F);
 }
 
 void paragraph(const std::string& text) {
     ImGui::BeginGroup();
-    const float width = ImGui::GetContentRegionAvail().x;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, times_text(kLeading)});
-    const char* at = text.data();
-    const char* const end = text.data() + text.size();
-    while (at < end) {
-        const char* line_end = std::find(at, end, '\n');
-        if (line_end == at) {
+    std::string_view left = text;
+    while (!left.empty()) {
+        const auto end = left.find('\n');
+        const std::string_view line = left.substr(0, end);
+        if (line.empty()) {
             ImGui::Dummy({1.0F, times_text(kParagraphGap)});
-            ++at;
-            continue;
+        } else {
+            put_lines(std::string(line));
         }
-        while (at < line_end) {
-            const char* wrap = ImGui::GetFont()->CalcWordWrapPositionA(1.0F, at, line_end, width);
-            wrap = std::max(wrap, at + 1);
-            ImGui::TextUnformatted(at, wrap);
-            at = std::find_if(wrap, line_end, [](char c) { return c != ' '; });
-        }
-        if (at < end) ++at;  // the line's end
+        left.remove_prefix(end == std::string_view::npos ? left.size() : end + 1);
     }
     ImGui::PopStyleVar();
     ImGui::EndGroup();
@@ -104,9 +123,29 @@ void complaint(const std::string& text) {
 
 void gap(float lines) { ImGui::Dummy({1.0F, times_text(lines)}); }
 
+float text_width(const std::string& text) { return set_text(text).width_px; }
+
+SideBySide::SideBySide(float apart_px)
+    : apart_px_(apart_px),
+      left_px_(ImGui::GetCursorPosX()),
+      room_px_(ImGui::GetContentRegionAvail().x) {}
+
+void SideBySide::next(float width_px) {
+    if (!first_ && used_px_ + width_px <= room_px_) {
+        ImGui::SameLine();
+    } else {
+        used_px_ = 0.0F;
+    }
+    first_ = false;
+    const float off_px = is_mirrored() ? room_px_ - used_px_ - width_px : used_px_;
+    ImGui::SetCursorPosX(left_px_ + std::round(off_px));
+    used_px_ += width_px + apart_px_;
+}
+
 namespace {
 
-[[nodiscard]] bool button(const char* label, float width_px, float height, StopKind kind) {
+[[nodiscard]] bool button(const std::string& label, float width_px, float height, StopKind kind,
+                          bool is_stop = true) {
     int colours = 0;
     const auto colour = [&colours](ImGuiCol which, const ImVec4& value) {
         ImGui::PushStyleColor(which, value);
@@ -122,165 +161,129 @@ namespace {
         colour(ImGuiCol_Text, kOnAccent);
         colour(ImGuiCol_Border, kAccentPressed);
     }
-    const ImGuiID id = ImGui::GetID(label);
-    const bool here = begin_stop(id, kind);
-    const bool clicked = ImGui::Button(label, {width_px, times_text(height)});
-    const bool pressed = end_stop(id, here);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const SetText& text = set_text(label, width_px - 2.0F * padding.x, true);
+    const float height_px =
+        std::max(times_text(height), std::ceil(text.height_px) + 2.0F * padding.y);
+    ImGui::PushID(label.c_str());
+    const ImGuiID id = ImGui::GetID("##button");
+    const bool here = is_stop && begin_stop(id, kind);
+    const bool clicked = ImGui::Button("##button", {width_px, height_px});
+    const ImVec2 from = ImGui::GetItemRectMin();
+    draw_text(text, {from.x + padding.x + text.left_px, from.y + 0.5F * (height_px - text.height_px)});
+    const bool pressed = is_stop && end_stop(id, here);
+    ImGui::PopID();
     ImGui::PopStyleColor(colours);
     return clicked || pressed;
 }
 
-/// A radio button or tick box, which are of one size.
-template <typename Draw>
-[[nodiscard]] bool choice(const char* label, const Draw& draw) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {times_text(0.2F), times_text(0.12F)});
-    const ImGuiID id = ImGui::GetID(label);
+[[nodiscard]] bool centred_button(const std::string& label, float around, StopKind kind) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float width =
+        std::min(room, std::ceil(text_width(label)) + around * ImGui::GetFontSize());
+    ImGui::SetCursorPosX(std::round((ImGui::GetWindowWidth() - width) * 0.5F));
+    return button(label, width, 2.1F, kind);
+}
+
+/// Side of what is ticked or chosen, and the space to its label.
+[[nodiscard]] float mark_px() { return times_text(1.24F); }
+[[nodiscard]] float mark_gap_px() { return ImGui::GetStyle().ItemInnerSpacing.x; }
+
+/// A mark with its label; `draw_mark` gets the mark's upper left corner and colour behind it.
+template <typename DrawMark>
+[[nodiscard]] bool choice(const std::string& label, float text_px, const DrawMark& draw_mark) {
+    const SetText& text = set_text(label, text_px);
+    const float side = mark_px();
+    const float height = std::max(side, std::ceil(text.height_px));
+    const float width = side + mark_gap_px() + text_px;
+    ImGui::PushID(label.c_str());
+    const ImGuiID id = ImGui::GetID("##choice");
     const bool here = begin_stop(id);
-    const bool clicked = draw();
+    const bool clicked = ImGui::InvisibleButton("##choice", {width, height});
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const bool right = is_mirrored();
+    draw_mark(ImVec2{right ? from.x + width - side : from.x, from.y},
+              ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered
+                                                        : ImGuiCol_FrameBg));
+    const float line_px = std::min(text.height_px, side);
+    draw_text(text, {from.x + (right ? 0.0F : side + mark_gap_px()) + text.left_px,
+                from.y + 0.5F * (side - line_px)});
     const bool pressed = end_stop(id, here);
-    ImGui::PopStyleVar();
+    ImGui::PopID();
     return clicked || pressed;
 }
 
 }  // namespace
 
-bool wide_button(const char* label, float width_px, float height, bool primary) {
+bool wide_button(const std::string& label, float width_px, float height, bool primary) {
     return button(label, width_px, height, primary ? StopKind::kPrimary : StopKind::kPlain);
 }
 
-bool primary_button(const char* label) {
-    const float width = ImGui::CalcTextSize(label).x + 6.0F * ImGui::GetFontSize();
-    ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
-    const bool pressed = button(label, width, 2.1F, StopKind::kPrimary);
+bool primary_button(const std::string& label) {
+    const bool pressed = centred_button(label, 6.0F, StopKind::kPrimary);
     return pressed || enter_pressed();
 }
 
-bool quiet_button(const char* label) {
-    const float width = ImGui::CalcTextSize(label).x + 4.0F * ImGui::GetFontSize();
-    ImGui::SetCursorPosX((ImGui::GetWindowWidth() - width) * 0.5F);
-    return wide_button(label, width, 2.1F, false);
+bool quiet_button(const std::string& label) {
+    return centred_button(label, 4.0F, StopKind::kPlain);
 }
 
-bool radio(const char* label, bool chosen) {
-    return choice(label, [&] { return ImGui::RadioButton(label, chosen); });
+bool pad_button(const std::string& label, float width_px) {
+    return button(label, width_px, 0.0F, StopKind::kPlain, false);
 }
 
-void tick(const char* label, bool& ticked) {
-    bool shown = ticked;
-    if (choice(label, [&] { return ImGui::Checkbox(label, &shown); })) ticked = !ticked;
+bool radio(SideBySide& row, const std::string& label, bool chosen) {
+    const float text_px = std::ceil(text_width(label));
+    const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+    const float label_px = std::min(text_px, room - mark_px() - mark_gap_px());
+    row.next(mark_px() + mark_gap_px() + label_px);
+    return choice(label, label_px, [&](ImVec2 at, ImU32 behind) {
+        const float radius = 0.5F * (mark_px() - 1.0F);
+        const ImVec2 centre{at.x + 0.5F * mark_px(), at.y + 0.5F * mark_px()};
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddCircleFilled(centre, radius, behind);
+        list.AddCircle(centre, radius, ImGui::GetColorU32(ImGuiCol_Border));
+        if (!chosen) return;
+        const float inner = radius - std::max(1.0F, std::floor(mark_px() / 6.0F));
+        list.AddCircleFilled(centre, inner, ImGui::GetColorU32(ImGuiCol_CheckMark));
+    });
 }
 
-namespace {
-
-constexpr char32_t kBox = U'\u25A1';
-
-[[nodiscard]] bool is_drawn(char32_t character) {
-    return character <= 0xFFFF &&
-           ImGui::GetFont()->FindGlyphNoFallback(static_cast<ImWchar>(character)) != nullptr;
+void tick(const std::string& label, bool& ticked) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float label_px =
+        std::min(std::ceil(text_width(label)), room - mark_px() - mark_gap_px());
+    SideBySide row(0.0F);
+    row.next(mark_px() + mark_gap_px() + label_px);
+    const bool shown = ticked;
+    const bool pressed = choice(label, label_px, [&](ImVec2 at, ImU32 behind) {
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 to{at.x + mark_px(), at.y + mark_px()};
+        const float rounding = ImGui::GetStyle().FrameRounding;
+        list.AddRectFilled(at, to, behind, rounding);
+        list.AddRect(at, to, ImGui::GetColorU32(ImGuiCol_Border), rounding);
+        if (!shown) return;
+        const float pad = std::max(1.0F, std::floor(mark_px() / 6.0F));
+        ImGui::RenderCheckMark(&list, {at.x + pad, at.y + pad},
+                               ImGui::GetColorU32(ImGuiCol_CheckMark), mark_px() - 2.0F * pad);
+    });
+    if (pressed) ticked = !ticked;
 }
 
-/// The first `count` characters as they are shown.
-[[nodiscard]] std::string shown_text(const TextEntry& entry, std::size_t count) {
-    std::string shown;
-    for (const char32_t character : entry.text().substr(0, count)) {
-        shown += utf8_of(is_drawn(character) ? character : kBox);
-    }
-    return shown;
-}
-
-[[nodiscard]] float shown_width(const TextEntry& entry, std::size_t count) {
-    const std::string shown = shown_text(entry, count);
-    return ImGui::CalcTextSize(shown.data(), shown.data() + shown.size()).x;
-}
-
-/// The place between characters nearest to there.
-[[nodiscard]] std::size_t caret_at(const TextEntry& entry, float x_px) {
-    std::size_t best = 0;
-    for (std::size_t at = 1; at <= entry.text().size(); ++at) {
-        if (std::abs(shown_width(entry, at) - x_px) < std::abs(shown_width(entry, best) - x_px)) {
-            best = at;
-        }
-    }
-    return best;
-}
-
-void edit(TextEntry& entry, const Stroke& stroke) {
-    if (stroke.character != 0) {
-        entry.type(stroke.character);
-        return;
-    }
-    switch (stroke.key) {
-        case GLFW_KEY_BACKSPACE:
-            entry.erase_before();
-            break;
-        case GLFW_KEY_DELETE:
-            entry.erase_after();
-            break;
-        case GLFW_KEY_LEFT:
-            entry.move(-1);
-            break;
-        case GLFW_KEY_RIGHT:
-            entry.move(1);
-            break;
-        case GLFW_KEY_HOME:
-            entry.move_to(0);
-            break;
-        case GLFW_KEY_END:
-            entry.move_to(entry.text().size());
-            break;
-        default:
-            break;
-    }
-}
-
-}  // namespace
-
-bool has_boxes(const TextEntry& entry) {
-    return !std::all_of(entry.text().begin(), entry.text().end(), is_drawn);
-}
-
-void text_field(const char* name, TextEntry& entry, float width_px) {
-    const ImGuiID id = ImGui::GetID(name);
-    const bool here = begin_stop(id, StopKind::kText);
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float text_px = ImGui::GetFontSize();
-    const float padding = ImGui::GetStyle().FramePadding.x;
-    const float room = width_px - 2.0F * padding;
-    ImGui::InvisibleButton(name, {width_px, ImGui::GetFrameHeight()});
-    const ImVec2 to = ImGui::GetItemRectMax();
-    if (here) {
-        for (const Stroke& stroke : page_state().input.strokes) edit(entry, stroke);
-    }
-    // A text longer than its field shows the part where the caret is.
-    const float off = std::max(0.0F, shown_width(entry, entry.caret()) - room);
-    if (ImGui::IsItemActivated()) {
-        entry.move_to(caret_at(entry, ImGui::GetIO().MousePos.x - from.x - padding + off));
-    }
-    (void)end_stop(id, here);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float rounding = ImGui::GetStyle().FrameRounding;
-    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), rounding);
-    list.PushClipRect({from.x + 0.5F * padding, from.y}, {to.x - 0.5F * padding, to.y}, true);
-    const std::string shown = shown_text(entry, entry.text().size());
-    const float left = from.x + padding - off;
-    const float top = from.y + ImGui::GetStyle().FramePadding.y;
-    list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), shown.data(),
-                 shown.data() + shown.size());
-    if (here) {
-        const float caret = std::round(left + shown_width(entry, entry.caret()));
-        list.AddRectFilled({caret, top}, {caret + std::max(1.0F, 0.08F * text_px), top + text_px},
-                           ImGui::GetColorU32(ImGuiCol_Text));
-    }
-    list.PopClipRect();
+void row_text(SideBySide& row, const std::string& text) {
+    const SetText& set = set_text(text);
+    row.next(set.width_px);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_text(set, {at.x, at.y + 0.5F * (ImGui::GetFrameHeight() - set.height_px)});
+    ImGui::Dummy({set.width_px, ImGui::GetFrameHeight()});
 }
 
 void yes_no(const char* name, const std::string& question, std::optional<bool>& answer) {
     ImGui::PushID(name);
     paragraph(question);
-    if (radio("Yes", answer == true)) answer = true;
-    ImGui::SameLine(0.0F, ImGui::GetFontSize() * 1.6F);
-    if (radio("No", answer == false)) answer = false;
+    SideBySide row(ImGui::GetFontSize() * 1.6F);
+    if (radio(row, words()("yes"), answer == true)) answer = true;
+    if (radio(row, words()("no"), answer == false)) answer = false;
     ImGui::PopID();
 }
 

@@ -11,6 +11,9 @@
 
 namespace obscura::app::kiosk {
 
+// Every text is set by the page's typesetter, in any script; on a mirrored page all of this begins
+// at the right.
+
 /// The kiosk's calm look: dark text on a light grey card. `text_px` is the height of the text.
 void set_style(float text_px);
 
@@ -22,18 +25,41 @@ void hint(const Fonts& fonts, const std::string& text);
 void complaint(const std::string& text);
 void gap(float lines = 1.0F);
 
+/// Width of a text on one line, in pixels.
+[[nodiscard]] float text_width(const std::string& text);
+
+/// Things side by side in the order of reading, on further lines where there is no room.
+class SideBySide {
+  public:
+    explicit SideBySide(float apart_px);
+    /// Moves Dear ImGui's cursor to where the next thing, so wide, is to be drawn.
+    void next(float width_px);
+
+  private:
+    float apart_px_;
+    float left_px_;
+    float room_px_;
+    float used_px_ = 0.0F;
+    bool first_ = true;
+};
+
 /// The page's way on: centred, coloured; Enter presses it too.
-[[nodiscard]] bool primary_button(const char* label);
+[[nodiscard]] bool primary_button(const std::string& label);
 /// Another way on, centred.
-[[nodiscard]] bool quiet_button(const char* label);
-/// As wide as given, `height` times the text's height.
-[[nodiscard]] bool wide_button(const char* label, float width_px, float height, bool primary);
+[[nodiscard]] bool quiet_button(const std::string& label);
+/// As wide as given, `height` times the text's height, or as high as its label.
+[[nodiscard]] bool wide_button(const std::string& label, float width_px, float height,
+                               bool primary);
+/// For the mouse or a finger only: the keyboard has it already.
+[[nodiscard]] bool pad_button(const std::string& label, float width_px);
 
-/// A choice of several; gives whether it was pressed.
-[[nodiscard]] bool radio(const char* label, bool chosen);
-void tick(const char* label, bool& ticked);
+/// A choice of several, the next of a row; gives whether it was pressed.
+[[nodiscard]] bool radio(SideBySide& row, const std::string& label, bool chosen);
+void tick(const std::string& label, bool& ticked);
 
-/// A line to type in. Characters that no font of the kiosk draws are shown as a box.
+/// A text beside a field, the next of a row.
+void row_text(SideBySide& row, const std::string& text);
+/// A line to type in. Characters that no font of the machine draws are shown as a box.
 void text_field(const char* name, TextEntry& entry, float width_px);
 /// Whether text_field() shows a box for some of it.
 [[nodiscard]] bool has_boxes(const TextEntry& entry);

@@ -12,6 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
+#include "tests/support/postgres.h"
 #include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {
@@ -42,7 +43,8 @@ Refusal refusal_of_store(const std::function<void()>& work) {
     return {};
 }
 
-class StoreTest : public testing::Test {
+/// Of a store in an SQLite file and of one on a PostgreSQL server.
+class StoreTest : public testing::TestWithParam<const char*> {
   protected:
     Store open(Store::Access access = Store::Access::kReadWrite) { return {url, access}; }
 
@@ -63,11 +65,17 @@ class StoreTest : public testing::Test {
     }
 
     tests::TemporaryFolder folder;
-    std::filesystem::path file = folder / "with blank, 100% \"quoted\"" / "responses.sqlite";
-    std::string url = "sqlite3://" + file.string();
+    std::string url = GetParam() == std::string("SQLite")
+                          ? "sqlite3://" + (folder / "with blank, 100% \"quoted\"" /
+                                            "responses.sqlite")
+                                               .string()
+                          : tests::PostgresServer::shared().new_database();
 };
 
-TEST_F(StoreTest, GivesBackEveryFieldAsItWasWritten) {
+INSTANTIATE_TEST_SUITE_P(Both, StoreTest, testing::Values("SQLite", "PostgreSQL"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(StoreTest, GivesBackEveryFieldAsItWasWritten) {
     auto participant = a_participant(0);
     participant.gender = "kvinde; ÆØÅ æøå, \"quoted\", it's\nof two lines; DROP TABLE trials";
     participant.normal_vision.reset();
@@ -96,7 +104,7 @@ TEST_F(StoreTest, GivesBackEveryFieldAsItWasWritten) {
                             EventRecord{"", kUtc, "program started", "no session yet"}));
 }
 
-TEST_F(StoreTest, KeepsDoublesBitForBit) {
+TEST_P(StoreTest, KeepsDoublesBitForBit) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     const std::vector<double> values{0.1,
@@ -119,7 +127,7 @@ TEST_F(StoreTest, KeepsDoublesBitForBit) {
     }
 }
 
-TEST_F(StoreTest, ASessionIsCompletedOnlyWithAllItsAnswers) {
+TEST_P(StoreTest, ASessionIsCompletedOnlyWithAllItsAnswers) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     for (int index = 0; index < 6; ++index) store.add_trial(a_trial(0, index));
@@ -138,7 +146,7 @@ TEST_F(StoreTest, ASessionIsCompletedOnlyWithAllItsAnswers) {
                    [&] { store.add_trial(a_trial(0, 7)); });
 }
 
-TEST_F(StoreTest, OnlyOpenAndCompletedSessionsHoldTheirSlot) {
+TEST_P(StoreTest, OnlyOpenAndCompletedSessionsHoldTheirSlot) {
     Store store = open();
     tests::add_completed(store, 0);
     store.begin_session(a_participant(1), a_session(1));
@@ -159,7 +167,7 @@ TEST_F(StoreTest, OnlyOpenAndCompletedSessionsHoldTheirSlot) {
                 ElementsAre(0, 1, 2));
 }
 
-TEST_F(StoreTest, RefusesASlotThatIsTaken) {
+TEST_P(StoreTest, RefusesASlotThatIsTaken) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     auto session = a_session(1);
@@ -171,7 +179,7 @@ TEST_F(StoreTest, RefusesASlotThatIsTaken) {
     store.begin_session(participant, session);  // of another kind: its own order
 }
 
-TEST_F(StoreTest, RefusesNamesThatAreThere) {
+TEST_P(StoreTest, RefusesNamesThatAreThere) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     expect_refused(store, ExitCode::kFailed, "participant p0 is already in the store",
@@ -182,7 +190,7 @@ TEST_F(StoreTest, RefusesNamesThatAreThere) {
                    [&] { store.begin_session(a_participant(1), session); });
 }
 
-TEST_F(StoreTest, RefusesAnAnswerGivenTwiceOrToNoSession) {
+TEST_P(StoreTest, RefusesAnAnswerGivenTwiceOrToNoSession) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     store.add_trial(a_trial(0, 0));
@@ -203,7 +211,7 @@ TEST_F(StoreTest, RefusesAnAnswerGivenTwiceOrToNoSession) {
     });
 }
 
-TEST_F(StoreTest, RefusesMoreAnswersThanTheSessionHasConditions) {
+TEST_P(StoreTest, RefusesMoreAnswersThanTheSessionHasConditions) {
     Store store = open();
     auto session = a_session(0);
     session.condition_count = 1;
@@ -213,7 +221,7 @@ TEST_F(StoreTest, RefusesMoreAnswersThanTheSessionHasConditions) {
                    [&] { store.add_trial(a_trial(0, 1)); });
 }
 
-TEST_F(StoreTest, RefusesTrialsWithValuesThatCannotBe) {
+TEST_P(StoreTest, RefusesTrialsWithValuesThatCannotBe) {
     Store store = open();
     store.begin_session(a_participant(0), a_session(0));
     const auto refused = [&](const std::string& text,
@@ -248,7 +256,7 @@ TEST_F(StoreTest, RefusesTrialsWithValuesThatCannotBe) {
             [](TrialRecord& trial) { trial.kind = Kind::kSimulated; });
 }
 
-TEST_F(StoreTest, RefusesParticipantsAndSessionsWithValuesThatCannotBe) {
+TEST_P(StoreTest, RefusesParticipantsAndSessionsWithValuesThatCannotBe) {
     Store store = open();
     const auto refused = [&](const std::string& text,
                              const std::function<void(ParticipantRecord&, SessionRecord&)>& spoil) {
@@ -277,7 +285,7 @@ TEST_F(StoreTest, RefusesParticipantsAndSessionsWithValuesThatCannotBe) {
     refused("study is empty", [](auto&, auto& s) { s.study = ""; });
 }
 
-TEST_F(StoreTest, TwoConnectionsSeeEachOthersRowsAndNeverShareASlot) {
+TEST_P(StoreTest, TwoConnectionsSeeEachOthersRowsAndNeverShareASlot) {
     Store one = open();
     Store other = open();
     one.begin_session(a_participant(0), a_session(0));
@@ -289,7 +297,7 @@ TEST_F(StoreTest, TwoConnectionsSeeEachOthersRowsAndNeverShareASlot) {
     EXPECT_THAT(one.trials(), ElementsAre(a_trial(0, 0)));
 }
 
-TEST_F(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion) {
+TEST_P(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion) {
     auto session = a_session(0);
     session.condition_count = 3;
     session.exclusion = R"({"min_catch_correct":0.8})";
@@ -312,7 +320,7 @@ TEST_F(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion
     EXPECT_EQ(store.sessions().front().study_plan, session.study_plan);
 }
 
-TEST_F(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
+TEST_P(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
     Store store = open();
     auto session = a_session(0);
     session.exclusion = "0.8";
@@ -345,7 +353,7 @@ TEST_F(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
                    [&] { store.add_trial(twice); });
 }
 
-TEST_F(StoreTest, StreamsTheSameRowsInTheSameOrderEachTrialWithItsSession) {
+TEST_P(StoreTest, StreamsTheSameRowsInTheSameOrderEachTrialWithItsSession) {
     Store store = open();
     for (const int number : {0, 2, 1}) tests::add_completed(store, number);
     std::vector<TrialRecord> trials;
@@ -364,7 +372,7 @@ TEST_F(StoreTest, StreamsTheSameRowsInTheSameOrderEachTrialWithItsSession) {
     EXPECT_EQ(participants, store.participants());
 }
 
-TEST_F(StoreTest, WhatIsReadWithinOneMomentDoesNotSeeTheWritesOfAnother) {
+TEST_P(StoreTest, WhatIsReadWithinOneMomentDoesNotSeeTheWritesOfAnother) {
     Store store = open();
     tests::add_completed(store, 0);
     Store other = open();
@@ -384,7 +392,7 @@ TEST_F(StoreTest, WhatIsReadWithinOneMomentDoesNotSeeTheWritesOfAnother) {
     EXPECT_EQ(store.sessions().size(), 3U);
 }
 
-TEST_F(StoreTest, ReadingOnlyRefusesToWrite) {
+TEST_P(StoreTest, ReadingOnlyRefusesToWrite) {
     { tests::add_completed(*std::make_unique<Store>(open()), 0); }
     Store store = open(Store::Access::kReadOnly);
     expect_refused(store, ExitCode::kBadInput, "it cannot be written there",

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -16,7 +17,7 @@ class TemporaryFolder {
     TemporaryFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
-                (std::string("obscura-") + test->test_suite_name() + "-" + test->name() + "-" +
+                (std::string("obscura-") + plain(test->test_suite_name()) + "-" + plain(test->name()) + "-" +
                  std::to_string(::getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
@@ -34,6 +35,12 @@ class TemporaryFolder {
     }
 
   private:
+    /// Tests with a parameter have / in their names.
+    static std::string plain(std::string name) {
+        std::replace(name.begin(), name.end(), '/', '-');
+        return name;
+    }
+
     std::filesystem::path path_;
 };
 

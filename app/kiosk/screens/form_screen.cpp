@@ -20,12 +20,11 @@ namespace {
 
 /// What of an entry needs to be said.
 void notes_on(const Fonts& fonts, const TextEntry& entry) {
-    if (!entry.note().empty()) hint(fonts, entry.note());
-    if (has_boxes(entry)) {
-        hint(fonts,
-             "\u25A1 stands for a character that this screen cannot draw. It is stored as you "
-             "typed it.");
+    if (entry.note() == TextEntry::Note::kOnlyDigits) hint(fonts, words()("only_digits"));
+    if (entry.note() == TextEntry::Note::kFull) {
+        hint(fonts, words()("no_more_room", {{"count", std::to_string(entry.most())}}));
     }
+    if (has_boxes(entry)) hint(fonts, words()("box_note"));
 }
 
 /// Puts the keyboard on the next field where it is to be there.
@@ -36,49 +35,50 @@ void focus_if_wanted(FormDraft& draft, FormDraft::ToFill field) {
 }
 
 /// Digits for those who have a mouse or a finger only.
-void number_pad(FormDraft& draft) {
-    const float side = 1.75F;
-    const float apart = 0.2F * ImGui::GetFontSize();
-    const auto key = [&](const char* label) {
-        ImGui::SameLine(0.0F, apart);
-        const bool pressed =
-            ImGui::Button(label, {side * ImGui::GetFontSize(), ImGui::GetFrameHeight()});
+void number_pad(SideBySide& row, FormDraft& draft) {
+    const float side = times_text(1.75F);
+    const float apart = times_text(0.2F);
+    row.next(11.0F * side + 10.0F * apart);
+    const auto key = [&](const std::string& label) {
+        const bool pressed = pad_button(label, side);
         if (pressed) draft.to_fill = FormDraft::ToFill::kAge;
         return pressed;
     };
+    // Numbers are read from the left in every language.
     for (char digit = '0'; digit <= '9'; ++digit) {
-        const char label[] = {digit, '\0'};
-        if (key(label)) draft.age.type(static_cast<char32_t>(digit));
+        if (key({digit})) draft.age.type(static_cast<char32_t>(digit));
+        ImGui::SameLine(0.0F, apart);
     }
     if (key("\u2190")) draft.age.erase_before();
 }
 
 void age_field(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Age in years");
-    ImGui::SameLine();
+    SideBySide row(ImGui::GetStyle().ItemSpacing.x);
+    row_text(row, words()("age"));
     focus_if_wanted(draft, FormDraft::ToFill::kAge);
-    text_field("##age", draft.age, 3.5F * ImGui::GetFontSize());
-    number_pad(draft);
+    const float width = times_text(3.5F);
+    row.next(width);
+    text_field("##age", draft.age, width);
+    number_pad(row, draft);
     notes_on(fonts, draft.age);
-    if (draft.submitted && !problems.age.empty()) complaint(problems.age);
+    if (draft.submitted && problems.age) {
+        complaint(words()("age_problem", {{"least", std::to_string(kYoungest_years)},
+                                          {"most", std::to_string(kOldest_years)}}));
+    }
 }
 
 void gender_field(const Fonts& fonts, FormDraft& draft) {
-    const auto choice = [&draft](const char* label, Gender gender) {
-        const bool pressed = radio(label, draft.gender == gender);
+    paragraph(words()("gender"));
+    SideBySide row(ImGui::GetFontSize() * 1.2F);
+    const auto choice = [&](const char* label, Gender gender) {
+        const bool pressed = radio(row, words()(label), draft.gender == gender);
         if (pressed) draft.gender = gender;
         return pressed;
     };
-    const float apart = ImGui::GetFontSize() * 1.2F;
-    paragraph("Gender");
-    (void)choice("Female", Gender::kFemale);
-    ImGui::SameLine(0.0F, apart);
-    (void)choice("Male", Gender::kMale);
-    ImGui::SameLine(0.0F, apart);
-    const bool own_words = choice("In my own words", Gender::kOwnWords);
-    ImGui::SameLine(0.0F, apart);
-    (void)choice("Rather not say", Gender::kRatherNotSay);
+    (void)choice("female", Gender::kFemale);
+    (void)choice("male", Gender::kMale);
+    const bool own_words = choice("own_words", Gender::kOwnWords);
+    (void)choice("rather_not_say", Gender::kRatherNotSay);
     if (draft.gender != Gender::kOwnWords) return;
     // It takes the typing at once.
     if (own_words) draft.to_fill = FormDraft::ToFill::kOwnWords;
@@ -88,23 +88,19 @@ void gender_field(const Fonts& fonts, FormDraft& draft) {
 }
 
 void questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
-    heading(fonts, "About you");
+    heading(fonts, words()("about_you"));
     age_field(fonts, draft, problems);
     gap(0.2F);
     gender_field(fonts, draft);
     gap(0.2F);
-    yes_no("vision", "Is your vision normal, or corrected to normal by glasses or lenses?",
-           draft.normal_vision);
+    yes_no("vision", words()("vision"), draft.normal_vision);
     gap(0.2F);
-    yes_no("purpose", "Had you heard what this study is about before today?",
-           draft.heard_of_purpose);
+    yes_no("purpose", words()("heard_of"), draft.heard_of_purpose);
     gap(0.2F);
     focus_if_wanted(draft, FormDraft::ToFill::kConsent);
-    tick("I agree to take part", draft.consent);
-    hint(fonts,
-         "Your answers are stored without your name. You may stop at any time: tell the person "
-         "in charge.");
-    if (draft.submitted && !problems.consent.empty()) complaint(problems.consent);
+    tick(words()("consent"), draft.consent);
+    hint(fonts, words()("consent_hint"));
+    if (draft.submitted && problems.consent) complaint(words()("consent_problem"));
 }
 
 }  // namespace
@@ -128,7 +124,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
     card(
         "##form", 36.0F, [&] { questions(fonts, draft, problems); },
         [&] {
-            if (!primary_button("Continue")) return;
+            if (!primary_button(words()("continue"))) return;
             draft.submitted = true;
             const Form form = form_of(draft);
             const FormProblems left = problems_of(form);
@@ -136,7 +132,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
                 event = FormSubmitted{form};
             } else {
                 draft.to_fill =
-                    left.age.empty() ? FormDraft::ToFill::kConsent : FormDraft::ToFill::kAge;
+                    left.age ? FormDraft::ToFill::kAge : FormDraft::ToFill::kConsent;
             }
         });
     return event;

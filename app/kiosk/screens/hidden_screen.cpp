@@ -7,19 +7,16 @@ namespace obscura::app::kiosk {
 
 void hidden_screen(const Fonts& fonts, Sight why, const std::string& state) {
     card("##hidden", 34.0F, [&] {
-        heading(fonts, "One moment, please");
+        heading(fonts, words()("one_moment"));
         if (why == Sight::kMonitorLost || why == Sight::kResized) {
-            paragraph(
-                "The screen has changed. Please call the person in charge: when it is as it was "
-                "before, this goes on where it was.");
+            paragraph(words()("screen_changed"));
             gap(0.2F);
-            paragraph(kOperatorsKey);
+            paragraph(words()("operators_key"));
             hint(fonts, state);
         } else {
-            paragraph(
-                "Another window came before this one. Click here, and it goes on where it was.");
+            paragraph(words()("window_covered"));
             gap(0.2F);
-            paragraph(kOperatorsKey);
+            paragraph(words()("operators_key"));
         }
     });
 }

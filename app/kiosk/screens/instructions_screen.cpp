@@ -10,11 +10,11 @@ std::optional<Event> instructions_screen(const Fonts& fonts, const stimuli::Stud
     card(
         "##instructions", 36.0F,
         [&] {
-            heading(fonts, "Instructions");
+            heading(fonts, words()("instructions"));
             paragraph(study.instructions);
         },
         [&] {
-            if (primary_button("Begin the experiment")) event = InstructionsRead{};
+            if (primary_button(words()("begin_experiment"))) event = InstructionsRead{};
         });
     return event;
 }

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,15 +13,21 @@ namespace {
 
 /// Times the text's height.
 constexpr float kButtonHeight = 1.9F;
-constexpr float kWideColumn = 9.0F;    ///< holds the whole label
+constexpr float kWideColumn = 9.0F;    ///< at least; else as wide as the whole label
 constexpr float kNarrowColumn = 4.5F;  ///< holds the number
 constexpr float kAround = 13.0F;       ///< of the window's height, what the list does not get
 constexpr int kUsualRows = 7;
+constexpr const char* kDone = "  \u2713";
 
 struct Grid {
     int columns = 1;
     float column = kWideColumn;
+    bool whole_labels = true;
 };
+
+[[nodiscard]] std::string whole_label(int pair) {
+    return words()("pair", {{"pair", std::to_string(pair + 1)}});
+}
 
 /// One column up to seven pairs, as in the thesis; then as many as keep the list in view, of
 /// numbers alone where whole labels have no room.
@@ -37,22 +42,24 @@ struct Grid {
         const float room_px = screen.x - 8.0F * text_px;
         return std::max(1, static_cast<int>(room_px / (column * text_px)));
     };
-    const int most = fitting(kWideColumn);
-    if (few <= std::min(most, 4)) return {few, kWideColumn};
+    // With the mark of a pair that is done, and the button's padding.
+    const float wide =
+        std::max(kWideColumn, std::ceil(text_width(whole_label(count) + kDone) / text_px + 1.5F));
+    const int most = fitting(wide);
+    if (few <= std::min(most, 4)) return {few, wide, true};
     const int needed = (count + rows - 1) / rows;
-    if (needed <= most) return {needed, kWideColumn};
-    return {std::min(needed, fitting(kNarrowColumn)), kNarrowColumn};
+    if (needed <= most) return {needed, wide, true};
+    return {std::min(needed, fitting(kNarrowColumn)), kNarrowColumn, false};
 }
 
 /// One pair's button; gives whether it was pressed.
 [[nodiscard]] bool pair_button(int pair, int next, const Grid& grid, float width) {
     const bool is_next = pair == next;
-    const std::string label =
-        fmt::format("{}{}{}###pair{}", grid.column == kWideColumn ? "Image pair " : "", pair + 1,
-                    pair < next ? "  \u2713" : "", pair);
+    const std::string label = (grid.whole_labels ? whole_label(pair) : std::to_string(pair + 1)) +
+                              (pair < next ? kDone : "");
     // Not before the whole list was seen, should it ever be taller than the window.
     ImGui::BeginDisabled(!is_next || !page_state().end_seen);
-    const bool pressed = wide_button(label.c_str(), width, kButtonHeight, is_next);
+    const bool pressed = wide_button(label, width, kButtonHeight, is_next);
     ImGui::EndDisabled();
     return pressed;
 }
@@ -64,21 +71,22 @@ std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count) {
     const Grid grid = grid_for(count);
     const auto columns = static_cast<float>(grid.columns);
     const auto body = [&] {
-        heading(fonts, "Image pairs");
-        hint(fonts, next == 0 ? "Press the button of the first pair when you are ready."
-                              : "Press the button of the next pair when you are ready.");
+        heading(fonts, words()("pairs"));
+        hint(fonts, words()(next == 0 ? "first_pair_hint" : "next_pair_hint"));
         gap(0.4F);
         const float space = ImGui::GetStyle().ItemSpacing.x;
         const float room = ImGui::GetContentRegionAvail().x;
-        const float width = (room - space * (columns - 1.0F)) / columns;
+        const float width = std::floor((room - space * (columns - 1.0F)) / columns);
+        SideBySide row(space);
         for (int pair = 0; pair < count; ++pair) {
-            if (pair % grid.columns != 0) ImGui::SameLine();
+            row.next(width);
             if (pair_button(pair, next, grid, width)) event = PairPressed{pair};
         }
     };
     const auto foot = [&] {
         if (enter_pressed()) event = PairPressed{next};
-        hint(fonts, fmt::format("{} of {} done", next, count));
+        hint(fonts, words()("done", {{"done", std::to_string(next)},
+                                    {"count", std::to_string(count)}}));
     };
     card("##pairs", std::max(24.0F, 4.0F + columns * (grid.column + 0.6F)), body, foot);
     return event;

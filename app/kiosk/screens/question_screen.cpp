@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <imgui.h>
+
+#include <cmath>
+#include <string>
 
 #include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
@@ -12,19 +14,20 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
                                      int count) {
     std::optional<Event> event;
     const auto body = [&] {
-        hint(fonts, fmt::format("Image pair {} of {}", pair + 1, count));
+        hint(fonts, words()("pair_of", {{"pair", std::to_string(pair + 1)},
+                                       {"count", std::to_string(count)}}));
         heading(fonts, study.question);
     };
     const auto foot = [&] {
         const float space = ImGui::GetFontSize();
-        const float width = (ImGui::GetContentRegionAvail().x - space) * 0.5F;
-        if (wide_button("First image", width, 4.0F, true)) event = Answered{true};
-        ImGui::SameLine(0.0F, space);
-        if (wide_button("Second image", width, 4.0F, true)) event = Answered{false};
+        const float width = std::floor((ImGui::GetContentRegionAvail().x - space) * 0.5F);
+        SideBySide row(space);
+        row.next(width);
+        if (wide_button(words()("first_image"), width, 4.0F, true)) event = Answered{true};
+        row.next(width);
+        if (wide_button(words()("second_image"), width, 4.0F, true)) event = Answered{false};
         gap(0.3F);
-        hint(fonts,
-             "Click, or press 1 or the left arrow for the first, 2 or the right arrow for the "
-             "second.");
+        hint(fonts, words()("question_hint"));
     };
     // What ended the look at the second image must not press a button here.
     card("##question", 34.0F, body, foot, Keyboard::kIsLeftToTheCaller);

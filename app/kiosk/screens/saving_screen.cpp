@@ -7,8 +7,8 @@ namespace obscura::app::kiosk {
 
 void saving_screen(const Fonts& fonts) {
     card("##saving", 24.0F, [&] {
-        heading(fonts, "Saving\u2026");
-        paragraph("One moment, please. It goes on by itself.");
+        heading(fonts, words()("saving"));
+        paragraph(words()("saving_text"));
     });
 }
 

@@ -11,16 +11,14 @@ std::optional<Event> start_screen(const Fonts& fonts) {
         "##start", 32.0F,
         [&] {
             // The study's title stays untold: it may give its purpose away.
-            heading(fonts, "Welcome");
-            paragraph("Thank you for coming.");
-            paragraph(
-                "You will be asked a few questions about yourself, then the task is explained. "
-                "Take all the time you need.");
+            heading(fonts, words()("welcome"));
+            paragraph(words()("welcome_thanks"));
+            paragraph(words()("welcome_text"));
         },
         [&] {
-            if (primary_button("Begin")) event = StartPressed{};
+            if (primary_button(words()("begin"))) event = StartPressed{};
             gap(0.2F);
-            hint(fonts, kOperatorsKey);
+            hint(fonts, words()("operators_key"));
         });
     return event;
 }

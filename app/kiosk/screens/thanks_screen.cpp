@@ -9,18 +9,13 @@ void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::s
     card(
         "##thanks", 30.0F,
         [&] {
-            heading(fonts, "Thank you");
-            paragraph(
-                study.thanks.empty()
-                    ? "That was the last pair. Please tell the person in charge that you are done."
-                    : study.thanks);
+            heading(fonts, words()("thank_you"));
+            paragraph(study.thanks.empty() ? words()("thanks") : study.thanks);
             gap(0.2F);
             paragraph(saved_note);
         },
         [&] {
-            hint(fonts,
-                 "For the operator: Ctrl+Shift+N begins with the next participant, Ctrl+Shift+Q "
-                 "leaves.");
+            hint(fonts, words()("thanks_keys"));
         });
 }
 

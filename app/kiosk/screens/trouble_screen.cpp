@@ -9,22 +9,18 @@ bool trouble_screen(const Fonts& fonts, const Trouble& trouble) {
     bool again = false;
     const auto body = [&] {
         heading(fonts, trouble.title);
-        paragraph("Please call the person in charge.");
+        paragraph(words()("call_operator"));
         gap(0.5F);
         paragraph(trouble.consequence);
-        paragraph(kOperatorsKey);
+        paragraph(words()("operators_key"));
         gap(0.2F);
         hint(fonts, trouble.reason);
     };
     const auto foot = [&] {
-        if (primary_button("Try again")) again = true;
+        if (primary_button(words()("try_again"))) again = true;
     };
     card("##trouble", 36.0F, body, foot);
     return again;
-}
-
-std::vector<std::string> texts_of_pages(const stimuli::Study& study) {
-    return {study.question, study.instructions, study.thanks, "\u2190 \u25A1 \u2713 \u2026"};
 }
 
 }  // namespace obscura::app::kiosk

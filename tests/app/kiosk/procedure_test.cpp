@@ -109,7 +109,7 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
         Form form = Script::filled_form();
         form.age_years = age;
         EXPECT_FALSE(problems_of(form).none());
-        EXPECT_TRUE(problems_of(form).consent.empty());
+        EXPECT_FALSE(problems_of(form).consent);
         Script script(study);
         script.shown_at(0);
         script.at(1, StartPressed{});
@@ -120,7 +120,7 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
     }
     Form form = Script::filled_form();
     form.consent = false;
-    EXPECT_FALSE(problems_of(form).consent.empty());
+    EXPECT_TRUE(problems_of(form).consent);
     form = {.age_years = 1, .gender = "", .normal_vision = {}, .naive = {}, .consent = true};
     EXPECT_TRUE(problems_of(form).none());
 }
