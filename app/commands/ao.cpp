@@ -153,6 +153,10 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     image.height = size.height;
 
     const Variant choice = variant_from(options.variant);
+    if (renderer::find_technique(choice.technique)->output == renderer::Output::kColour) {
+        throw base::bad_input("--technique: {} makes colour and no accessibility",
+                              choice.technique);
+    }
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
     for (const std::string& note : source.notes) base::log::warn("{}: {}", source.source, note);

@@ -75,7 +75,8 @@ std::function<base::ExitCode()> attach_measure(CLI::App& app, const Globals& glo
     app.add_option("--scene", request.scenes,
                    "Built-in scenes in place of a study, each by all of its cameras");
     app.add_option("--techniques", request.techniques,
-                   "Of " + names_of(renderer::techniques()) + " (default: all but the reference)")
+                   "Of " + names_of(renderer::techniques()) +
+                       " (default: all that compute accessibility, but for the reference)")
         ->delimiter(',');
     app.add_option("--samples", request.samples,
                    "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
