@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "renderer/model/rounded.h"
@@ -28,6 +29,14 @@ struct SeenBuffers {
     }
     [[nodiscard]] float depth_at(int x, int y) const { return depth_m[index(x, y)]; }
     [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
+    /// Whether every model finds the same in both.
+    [[nodiscard]] bool operator==(const SeenBuffers& other) const {
+        const auto view = [](const Camera& of) {
+            return std::tuple(of.vertical_fov_rad, of.lens_shift.x, of.lens_shift.y, of.far_m);
+        };
+        return width == other.width && height == other.height && depth_m == other.depth_m &&
+               empty == other.empty && normal == other.normal && view(camera) == view(other.camera);
+    }
 };
 
 /// A place in the image, from 0 to 1 or, where it says so, in pixels.
