@@ -94,13 +94,18 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     return {lighting_of(scene), camera};
 }
 
+const renderer::ReferenceScene& StimulusRenderer::rays() {
+    if (!loaded_.reference) {
+        loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
+    }
+    return *loaded_.reference;
+}
+
 renderer::TracedAccessibility StimulusRenderer::tracer() {
     return [this](const renderer::Camera& camera, int width, int height,
                   const renderer::Variant& choice) {
-        if (!loaded_.reference) {
-            loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
-        }
-        return loaded_.reference->trace(camera, width, height, renderer::reference_options(choice))
+        return rays()
+            .trace(camera, width, height, renderer::reference_options(choice))
             .accessibility;
     };
 }
@@ -109,7 +114,8 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options,
                                          const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
-    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer()},
+    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer(),
+                             [this]() -> const renderer::ReferenceScene& { return rays(); }},
                             stimulus.choice(), study_.width, study_.height, known);
 }
 

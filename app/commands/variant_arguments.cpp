@@ -42,6 +42,9 @@ void add_variant_options(CLI::App& app, VariantArguments& arguments) {
     app.add_option("--set", arguments.settings,
                    "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
         ->allow_extra_args(false);
+    app.add_option("--preset", arguments.preset,
+                   "Values of the parameters that are not set: published, or fitted to the truth")
+        ->capture_default_str();
     app.add_option("--denoise", arguments.denoise, "Filter")->capture_default_str();
 }
 
@@ -58,7 +61,8 @@ renderer::Variant variant_from(const VariantArguments& arguments) {
         set(variant, setting);
         if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
     }
-    std::string all;
+    std::string all = renderer::apply_preset(arguments.preset, variant);
+    if (!all.empty()) all = "--preset: " + all;
     for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
         all += fmt::format("{}{}{}: {}", all.empty() ? "" : "\n",
                            has_an_option_of_its_own(problem.key) ? "--" : "--set ", problem.key,

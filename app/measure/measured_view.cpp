@@ -341,7 +341,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
 }
 
 std::string why_unmeasured(const Technique& technique) {
-    if (technique.ray_traced) return "is the truth that the others are held against";
+    if (technique.is_truth()) return "is the truth that the others are held against";
     if (technique.output == renderer::Output::kColour) {
         return "makes colour and no accessibility, which has no error";
     }

@@ -183,7 +183,7 @@ void Planner::plan_accessibility() {
         leave_out("denoise", "there is no accessibility to denoise");
         return;
     }
-    if (technique_.ray_traced) {
+    if (technique_.is_truth()) {
         pass(Phase::kTechnique, {plan_.seen_by_technique(Target::kVisibility)},
              {Target::kAccessibility});
     } else {

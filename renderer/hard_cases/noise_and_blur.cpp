@@ -72,7 +72,7 @@ Scene ball_on_floor() {
 /// Case 11, for every filter: one scene after the other, so that the technique's definition is
 /// evaluated once for all filters.
 void run_noise_and_blur(Bench& bench, const Technique& technique) {
-    if (technique.ray_traced) return;  // it has neither tile nor filter
+    if (technique.ray_traced) return;  // rays have no tile whose pattern could be left
     const int size = bench.options().size_px;
     const auto with_each = [&](const std::string& what, const Scene& scene, const auto& expect) {
         for (const Denoise& filter : denoise_filters()) {

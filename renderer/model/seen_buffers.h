@@ -22,6 +22,7 @@ struct SeenBuffers {
     std::vector<float> depth_m;
     std::vector<std::uint8_t> empty;   ///< 1 where nothing is seen
     std::vector<std::uint8_t> normal;  ///< three code values a pixel; empty: none is read
+    int samples = 0;                   ///< of the technique whose accessibility a filter reads
 
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
@@ -34,7 +35,7 @@ struct SeenBuffers {
         const auto view = [](const Camera& of) {
             return std::tuple(of.vertical_fov_rad, of.lens_shift.x, of.lens_shift.y, of.far_m);
         };
-        return width == other.width && height == other.height && depth_m == other.depth_m &&
+        return width == other.width && height == other.height && samples == other.samples && depth_m == other.depth_m &&
                empty == other.empty && normal == other.normal && view(camera) == view(other.camera);
     }
 };

@@ -140,6 +140,26 @@ bool Variant::operator==(const Variant& other) const {
            std::all_of(variant_options().begin(), variant_options().end(), same);
 }
 
+const std::vector<std::string>& preset_names() {
+    static const std::vector<std::string> names = {"published", "fitted"};
+    return names;
+}
+
+std::string apply_preset(const std::string& preset, Variant& variant) {
+    const Technique* technique = find_technique(variant.technique);
+    if (preset == preset_names().front()) return "";
+    if (preset != preset_names().back()) {
+        return fmt::format("\"{}\" is unknown; allowed are {}", preset,
+                           fmt::join(preset_names(), ", "));
+    }
+    if (technique == nullptr) return "";
+    if (technique->fitted.empty()) {
+        return fmt::format("{} has no fitted values, only published ones", technique->name);
+    }
+    variant.parameters.insert(technique->fitted.begin(), technique->fitted.end());
+    return "";
+}
+
 Variant standard_variant(const Technique& technique) {
     Variant variant;
     variant.technique = technique.name;
@@ -148,7 +168,7 @@ Variant standard_variant(const Technique& technique) {
 }
 
 std::string standard_denoise(const Technique& technique) {
-    return technique.makes_accessibility() && !technique.ray_traced ? "separable" : "none";
+    return technique.makes_accessibility() && !technique.is_truth() ? technique.denoise : "none";
 }
 
 int fetches_per_pixel(const Variant& variant) {
