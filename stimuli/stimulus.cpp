@@ -114,9 +114,9 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options,
                                          const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
-    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer(),
-                             [this]() -> const renderer::ReferenceScene& { return rays(); }},
-                            stimulus.choice(), study_.width, study_.height, known);
+    return renderer_.render(
+        {*loaded_.gpu, view.lighting, view.camera, options, tracer(), rays_of_scene()},
+        stimulus.choice(), study_.width, study_.height, known);
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
@@ -140,9 +140,10 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
     renderer::FrameOptions options = study_.frame_options();
     options.all_buffers = true;
-    return renderer_.render({*loaded_.gpu, lighting, view.camera, options, tracer(),
-                             renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
-                            stimulus.choice(), study_.width, study_.height);
+    return renderer_.render(
+        {*loaded_.gpu, lighting, view.camera, options, tracer(), rays_of_scene(),
+         renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
+        stimulus.choice(), study_.width, study_.height);
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {

@@ -84,6 +84,9 @@ class StimulusRenderer {
     View view_of(const Stimulus& stimulus);
     /// The rays of the scene that is loaded, for the techniques that ask for them.
     const renderer::ReferenceScene& rays();
+    renderer::RaysOfScene rays_of_scene() {
+        return [this]() -> const renderer::ReferenceScene& { return rays(); };
+    }
     renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options,
                            const renderer::ViewBuffers& known = {});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "app/measure/fit_settings.h"
@@ -154,6 +155,16 @@ void note_unmeasured(const stimuli::Study& study, Measured& measured) {
             measured.notes.push_back(fmt::format("condition {}: {} {}: it has no row", condition.id,
                                                  side->variant_name(), why));
         }
+    }
+}
+
+/// What runs elsewhere than the device that the rows name is said.
+void note_processor(const MeasureRequest& request, Measured& measured) {
+    for (const std::string& name : measured_techniques(request)) {
+        if (!renderer::find_technique(name)->standard_recipe().on_processor()) continue;
+        measured.notes.push_back(fmt::format(
+            "{} traces its rays on the processor, on {} threads, whatever draws the rest", name,
+            std::max(1U, std::thread::hardware_concurrency())));
     }
 }
 
@@ -307,6 +318,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
     if (request.scenes.empty()) note_unmeasured(study, measured);
+    note_processor(request, measured);
     MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;

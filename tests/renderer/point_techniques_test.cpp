@@ -161,7 +161,9 @@ TEST_F(PointTechniques, Starcraft2IsAsDefinedInEveryOneOfItsOptions) {
         const PlannedTarget* small = frame.plan().find("small depth");
         const int halvings = starcraft2_halvings(choice);
         ASSERT_EQ(small != nullptr, halvings > 0);
-        if (small != nullptr) EXPECT_EQ(small->width, halvings == 1 ? 31 : 16);
+        if (small != nullptr) {
+            EXPECT_EQ(small->width, halvings == 1 ? 31 : 16);
+        }
     }
 }
 
@@ -175,7 +177,9 @@ TEST_F(PointTechniques, TheWeightsOfEachOfStarcraft2sSetsAddUpToOne) {
         for (const auto* set : {&points.wide, &points.small}) {
             double sum = 0.0;
             for (const WeightedPoint& point : *set) sum += point.weight;
-            if (!set->empty()) EXPECT_NEAR(sum, 1.0, 1e-12);
+            if (!set->empty()) {
+                EXPECT_NEAR(sum, 1.0, 1e-12);
+            }
         }
     }
 }

@@ -143,7 +143,9 @@ TEST_F(RaysFromBuffers, EmptyPixelsAreOpenAndAnySizeAndRadiusIsSound) {
             const std::vector<float> open = frame.read_floats(Target::kAccessibility);
             for (std::size_t i = 0; i < open.size(); ++i) {
                 ASSERT_TRUE(open[i] >= 0.0F && open[i] <= 1.0F);
-                if (depth[i] >= kBackgroundLimit_m) ASSERT_EQ(open[i], 1.0F);
+                if (depth[i] >= kBackgroundLimit_m) {
+                    ASSERT_EQ(open[i], 1.0F);
+                }
             }
         }
     }
