@@ -10,6 +10,7 @@
 #include "analysis/conclusions/hypotheses.h"
 #include "analysis/conclusions/order.h"
 #include "analysis/conclusions/participants.h"
+#include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/conclusions/resampled.h"
 #include "analysis/conclusions/run_power.h"
@@ -82,7 +83,6 @@ std::vector<OrderStratum> order_strata(const Tally& tally) {
 void analyse_participants(Analysis& analysis, std::uint64_t seed) {
     const Tally& tally = analysis.tally;
     const VotesByParticipant votes(tally);
-    test_participants(analysis.hypotheses, tally);
     if (analysis.order_bias.has_value()) {
         analysis.order_bias.value->by_participant = order_by_participant(votes);
     }
@@ -116,18 +116,13 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
         const char* const why = "the answers of each participant are not known";
         analysis.response_times = Possible<ResponseTimes>::none(why);
         analysis.learning = Possible<Learning>::none(why);
-        for (HypothesisResult& result : analysis.hypotheses) {
-            if (!result.pooling.has_value()) continue;
-            result.by_participant = Possible<SignFlipTest>::none(why);
-            result.resampled = Possible<Interval>::none(why);
-        }
         for (VariantScale& scale : analysis.scales) {
             scale.resampled_jod = Possible<std::vector<Interval>>::none(why);
         }
     } else {
         analyse_participants(analysis, seed);
     }
-    choose_intervals(analysis.hypotheses, analysis.tally);
+    infer_pooled_shares(analysis.hypotheses, analysis.tally);
     analysis.power = run_power(analysis.conditions, analysis.hypotheses);
     analysis.verdicts = verdicts_of(analysis);
     return analysis;

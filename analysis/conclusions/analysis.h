@@ -58,15 +58,25 @@ struct Pooling {
 
 /// What an interval of a pooled share rests on.
 enum class ShareIntervalKind {
-    kResampled,  ///< participants drawn anew, no narrower than Wilson's of independent votes
-    kMeans,      ///< t of the participants' own shares
-    kEachOnce,   ///< Clopper-Pearson's, each participant counted once: nobody varies, or few
-                 ///< answered
-    kCounts      ///< Wilson's, as many votes as one condition has: who gave them is not known
+    kMeans,     ///< t over participants
+    kEachOnce,  ///< Clopper-Pearson's, each participant counted once: each voted once, nobody
+                ///< differs from the others, or few answered
+    kCounts     ///< the same with as many people as one condition has votes: who gave them is not
+                ///< known
 };
+
+/// Participants below which intervals do not rest on how they vary.
+inline constexpr std::int64_t kFewestForMeans = 10;
+
 struct ShareInterval {
     Interval bounds;  ///< of the share of B
     ShareIntervalKind kind = ShareIntervalKind::kCounts;
+};
+
+/// Whether the conditions of a hypothesis differ: Cochran's Q of those who answered each once.
+struct Heterogeneity {
+    std::int64_t participants = 0;
+    ChiSquareTest test;
 };
 
 /// A hypothesis that conditions name: their votes together.
@@ -77,11 +87,16 @@ struct HypothesisResult {
     /// No value, with the reason, where "B" is not the same thing in each condition. There is then
     /// nothing pooled.
     Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
+    /// Chi-square and the exact test take a participant's votes as independent, as was published;
+    /// no verdict rests on them.
     Preference pooled;
     /// Of participants instead of votes: those of one participant may hang together.
     Possible<SignFlipTest> by_participant = Possible<SignFlipTest>::none("not known");
-    /// Of the pooled share of B, by drawing participants anew.
-    Possible<Interval> resampled = Possible<Interval>::none("not known");
+    /// Of counts alone: the exact binomial test as if each participant had voted once.
+    Possible<PValue> each_once = Possible<PValue>::none("no votes");
+    /// Of the share among people, each with a share of his own.
+    Possible<Posterior> posterior = Possible<Posterior>::none("no votes");
+    Possible<Heterogeneity> heterogeneity = Possible<Heterogeneity>::none("no votes");
     /// 95 %, the interval to read.
     Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
     /// 90 %: where it lies within the relevant margin, two one-sided tests at .05 say that the
@@ -104,12 +119,12 @@ struct SameParticipants {
 
 /// What an interval of a difference rests on.
 enum class DifferenceKind {
-    kPaired,     ///< the participants who answered both once, with exact limits of their changes
-    kResampled,  ///< participants drawn anew, no narrower than Newcombe's
-    kCounts      ///< Newcombe's, as if different people had answered
+    kPaired,    ///< the participants who answered both once, with exact limits of their changes
+    kContrast,  ///< t of the same participants' own differences over several pairs of conditions
+    kCounts     ///< Newcombe's, as if different people had answered
 };
 
-/// `same participants`, `participants drawn anew`, `counts`.
+/// `same participants`, `t of the same participants' differences`, `counts`.
 [[nodiscard]] std::string_view to_string(DifferenceKind kind);
 
 /// By how much the share of B differs between two levels.
@@ -122,11 +137,26 @@ struct LevelDifference {
     DifferenceKind kind = DifferenceKind::kCounts;
 };
 
+/// By how much each participant's share of B differs between two levels, where several conditions
+/// show the two variants: his mean difference over the scenes that show both levels.
+struct LevelContrast {
+    std::int64_t n = 0;         ///< participants
+    std::int64_t left_out = 0;  ///< who answered some of the conditions and are not among them
+    std::size_t scenes = 0;
+    /// By flipping the signs of the participants' differences, exact where each of them answered
+    /// every condition once; p is 1 where nobody's share differs.
+    PValue p;
+    bool is_exact = true;
+    double difference = 0.0;  ///< share at the second level less that at the first
+    Interval interval;        ///< 95 %, by t; exact limits where all participants differ alike
+    Interval equality;        ///< 90 %
+};
+
 /// Does the share of B differ between conditions that show the same two variants?
 struct Comparison {
     std::string variant_a;
     std::string variant_b;
-    std::string view;  ///< what all conditions show, whatever the light; empty: not one thing
+    std::string view;  ///< what the conditions show, whatever the light; empty: not the same
     std::vector<std::string> conditions;
     std::vector<bool> turned;         ///< of each condition: whether it calls variant_b A
     std::vector<std::string> levels;  ///< validity of each row of votes
@@ -137,13 +167,16 @@ struct Comparison {
     Possible<PValue> fisher = Possible<PValue>::none("not two rows");
     /// The test to read where there is one.
     Possible<SameParticipants> same_participants = Possible<SameParticipants>::none("not known");
+    /// Of several conditions at a level: the test to read where there is one.
+    Possible<LevelContrast> contrast = Possible<LevelContrast>::none("one condition at each level");
     std::vector<LevelDifference> differences;  ///< of every two levels with votes
 };
 
-/// The p-value to read: Cochran's Q over more than two rows and McNemar's exact test over two where
-/// the answers of each participant are known; otherwise Fisher's exact test of two rows of counts,
-/// chi-square of more. It is 1 where every
-/// participant answered alike at every level.
+/// The p-value to read. Where the answers of each participant are known: over two levels McNemar's
+/// exact test, or of several conditions at a level the test by flipping the signs of the
+/// participants' differences; Cochran's Q over more levels. Otherwise Fisher's exact test of two
+/// rows of counts, chi-square of more. It is 1 where every participant answered alike at every
+/// level.
 [[nodiscard]] Possible<PValue> p_of(const Comparison& comparison);
 
 /// That test in words, with its numbers and who it is about; where there is none, why.
@@ -153,8 +186,11 @@ struct Comparison {
 /// variants, seen in the same scene by the same camera at two levels or more.
 struct ValidityResult {
     std::string name;  ///< of the question: H3 in the built-in study, else kValidityQuestion
-    std::vector<Comparison> by_level;  ///< one for each scene, camera and two variants
-    /// Of a comparison over three levels, every two, up to kMostPairedConditions conditions.
+    /// One for each two variants where one scene shows them, once at each level; else one for every
+    /// two levels, over the scenes that show both.
+    std::vector<Comparison> by_level;
+    /// Of each comparison over more than two conditions, every two of a scene, up to
+    /// kMostPairedConditions conditions.
     std::vector<Comparison> by_pair;
     std::vector<std::string> without_partner;  ///< conditions that have none to be compared with
     std::string no_comparison;                 ///< why by_level is empty; empty where it is not

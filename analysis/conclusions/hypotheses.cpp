@@ -13,8 +13,6 @@
 #include "analysis/statistics/clopper_pearson.h"
 #include "analysis/statistics/cohens_g.h"
 #include "analysis/statistics/exact_binomial.h"
-#include "analysis/statistics/mean_test.h"
-#include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 namespace {
@@ -99,112 +97,15 @@ HypothesisResult tested(const std::string& name, const std::vector<const Conditi
         result.pooled = preference_of(sum);
     } else {
         result.pooled = nothing_pooled(result.pooling.reason);
-        result.resampled = Possible<Interval>::none(result.pooling.reason);
+        result.each_once = Possible<PValue>::none(result.pooling.reason);
+        result.posterior = Possible<Posterior>::none(result.pooling.reason);
+        result.heterogeneity = Possible<Heterogeneity>::none(result.pooling.reason);
         result.by_participant = Possible<SignFlipTest>::none(result.pooling.reason);
         result.interval = Possible<ShareInterval>::none(result.pooling.reason);
         result.equality_interval = Possible<ShareInterval>::none(result.pooling.reason);
     }
     result.sentence = sentence_of(result, tests);
     return result;
-}
-
-/// The conditions of each hypothesis, and whether they are turned.
-using Own = std::map<std::string_view, std::pair<HypothesisResult*, bool>>;
-
-Own conditions_of(std::vector<HypothesisResult>& hypotheses) {
-    Own own;
-    for (HypothesisResult& result : hypotheses) {
-        if (!result.pooling.has_value()) continue;
-        for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-            own.emplace(result.conditions[i], std::pair(&result, result.pooling->turned[i]));
-        }
-    }
-    return own;
-}
-
-bool is_part_of(const HypothesisResult& result, const ConditionVotes& condition) {
-    const auto& ids = result.conditions;
-    return std::find(ids.begin(), ids.end(), condition.id) != ids.end();
-}
-
-/// Participants who answered any of the hypothesis's conditions.
-std::int64_t participants_of(const HypothesisResult& result, const Tally& tally) {
-    std::vector<bool> answered(tally.participants.size());
-    for (const ConditionVotes& condition : tally.conditions) {
-        if (!is_part_of(result, condition)) continue;
-        for (const Answer& answer : condition.answers) {
-            answered[static_cast<std::size_t>(answer.participant)] = true;
-        }
-    }
-    return std::count(answered.begin(), answered.end(), true);
-}
-
-std::int64_t most_votes_of(const HypothesisResult& result, const Tally& tally) {
-    std::int64_t most = 0;
-    for (const ConditionVotes& condition : tally.conditions) {
-        if (is_part_of(result, condition)) most = std::max(most, condition.votes.n());
-    }
-    return most;
-}
-
-ShareInterval interval_of(const HypothesisResult& result, const Tally& tally) {
-    const double share = *result.pooled.share_b;
-    if (tally.participants.empty()) {
-        const auto interval = wilson_of_share(share, most_votes_of(result, tally), kConfidence);
-        return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
-    }
-    const Possible<Interval>& drawn = result.resampled;
-    if (drawn.has_value() && drawn->low < drawn->high) {
-        return {{std::min(drawn->low, result.pooled.wilson->low),
-                 std::max(drawn->high, result.pooled.wilson->high)},
-                ShareIntervalKind::kResampled};
-    }
-    const auto interval =
-        clopper_pearson_of_share(share, participants_of(result, tally), kConfidence);
-    return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
-}
-
-/// The share of B of each participant who answered any of the hypothesis's conditions.
-std::vector<double> own_shares(const HypothesisResult& result, const Tally& tally) {
-    std::vector<Votes> own(tally.participants.size());
-    for (const ConditionVotes& condition : tally.conditions) {
-        const auto place =
-            std::find(result.conditions.begin(), result.conditions.end(), condition.id);
-        if (place == result.conditions.end()) continue;
-        const bool is_turned =
-            result.pooling->turned[static_cast<std::size_t>(place - result.conditions.begin())];
-        for (const Answer& answer : condition.answers) {
-            Votes& votes = own[static_cast<std::size_t>(answer.participant)];
-            ++(answer.chose_b != is_turned ? votes.b : votes.a);
-        }
-    }
-    std::vector<double> shares;
-    for (const Votes& votes : own) {
-        if (votes.n() > 0) {
-            shares.push_back(static_cast<double>(votes.b) / static_cast<double>(votes.n()));
-        }
-    }
-    return shares;
-}
-
-/// By t of the participants' own shares; exact, each counted once, where nobody varies or few
-/// answered; from counts, as many votes as one condition has.
-ShareInterval equality_of(const HypothesisResult& result, const Tally& tally) {
-    const double share = *result.pooled.share_b;
-    if (tally.participants.empty()) {
-        const auto interval =
-            wilson_of_share(share, most_votes_of(result, tally), kEqualityConfidence);
-        return {{interval->low, interval->high}, ShareIntervalKind::kCounts};
-    }
-    const std::vector<double> shares = own_shares(result, tally);
-    const auto n = static_cast<std::int64_t>(shares.size());
-    const auto test = mean_test(shares, kEqualityConfidence);
-    if (test.has_value() && n >= kFewestResampled) {
-        return {{std::max(0.0, test->interval.low), std::min(1.0, test->interval.high)},
-                ShareIntervalKind::kMeans};
-    }
-    const auto interval = clopper_pearson_of_share(share, n, kEqualityConfidence);
-    return {{interval->low, interval->high}, ShareIntervalKind::kEachOnce};
 }
 
 }  // namespace
@@ -238,56 +139,6 @@ std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>
     for (const auto& [name, own] : by_name)
         results.push_back(tested(name, own, secondary, conditions.size()));
     return results;
-}
-
-void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
-    const Own own = conditions_of(hypotheses);
-    std::map<HypothesisResult*, std::vector<std::int64_t>> differences;
-    for (const ConditionVotes& condition : tally.conditions) {
-        const auto found = own.find(condition.id);
-        if (found == own.end()) continue;
-        const auto& [result, is_turned] = found->second;
-        std::vector<std::int64_t>& of_each = differences[result];
-        of_each.resize(tally.participants.size());
-        for (const Answer& answer : condition.answers) {
-            of_each[static_cast<std::size_t>(answer.participant)] +=
-                answer.chose_b != is_turned ? 1 : -1;
-        }
-    }
-    for (const auto& [result, of_each] : differences) result->by_participant = sign_flip(of_each);
-}
-
-void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
-    for (HypothesisResult& result : hypotheses) {
-        if (result.pooled.votes.n() == 0) continue;
-        result.interval = interval_of(result, tally);
-        result.equality_interval = equality_of(result, tally);
-    }
-}
-
-Possible<PValue> p_of(const HypothesisResult& result) {
-    if (result.by_participant.has_value()) return result.by_participant->p;
-    const bool is_of_participants =
-        result.interval.has_value() && result.interval->kind != ShareIntervalKind::kCounts;
-    if (is_of_participants) return PValue{};  // each of them chose both sides equally often
-    return result.pooled.exact;
-}
-
-std::string test_words(const HypothesisResult& result) {
-    const Possible<PValue> p = p_of(result);
-    if (!p.has_value()) return p.reason;
-    if (result.by_participant.has_value()) {
-        const SignFlipTest& test = *result.by_participant;
-        return fmt::format(
-            "{} test over participants by flipping signs, {} of them with a preference, p {}",
-            test.is_exact ? "exact" : "large-sample", test.participants, p_text(*p));
-    }
-    if (result.interval->kind != ShareIntervalKind::kCounts) {
-        return fmt::format("every participant chose both sides equally often, p {}", p_text(*p));
-    }
-    return fmt::format(
-        "exact binomial test p {}, with votes of the same participants taken as independent",
-        p_text(*p));
 }
 
 }  // namespace obscura::analysis

@@ -19,19 +19,4 @@ namespace obscura::analysis {
 [[nodiscard]] std::vector<HypothesisResult> test_hypotheses(
     const std::vector<ConditionResult>& conditions, const std::vector<std::string>& secondary);
 
-/// Tests each by participants. The tally knows who voted.
-void test_participants(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
-
-/// Fills HypothesisResult::interval and equality_interval; needs the resampled one where there is
-/// one.
-void choose_intervals(std::vector<HypothesisResult>& hypotheses, const Tally& tally);
-
-/// The p-value that a verdict on the hypothesis rests on: of participants where they are known (1
-/// where each of them chose both sides equally often), else the exact
-/// binomial one of the counts.
-[[nodiscard]] Possible<PValue> p_of(const HypothesisResult& result);
-
-/// That test in words, with its numbers.
-[[nodiscard]] std::string test_words(const HypothesisResult& result);
-
 }  // namespace obscura::analysis

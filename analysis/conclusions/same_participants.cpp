@@ -83,6 +83,18 @@ std::string mcnemar_words(const SameParticipants& same) {
     return fmt::format("McNemar's exact test {}, {}, p {}", who(same), changes, p_text(test.exact));
 }
 
+std::string contrast_words(const LevelContrast& contrast, const Comparison& comparison) {
+    std::string text = fmt::format(
+        "{} test by flipping the signs of each participant's change from {} to {}, {} over {}",
+        contrast.is_exact ? "exact" : "large-sample", comparison.levels.front(),
+        comparison.levels.back(), counted(contrast.n, "participant"),
+        counted(static_cast<std::int64_t>(contrast.scenes), "scene"));
+    if (contrast.left_out > 0) {
+        text += fmt::format(" ({} who did not answer all left out)", contrast.left_out);
+    }
+    return text + fmt::format(", p {}", p_text(contrast.p));
+}
+
 std::string counts_words(const Comparison& comparison) {
     if (!comparison.test.has_value()) return fmt::format("no test, {}", comparison.test.reason);
     std::string text = fmt::format("chi-square {:.4g}, df {}, p {}", comparison.test->statistic,
@@ -90,7 +102,10 @@ std::string counts_words(const Comparison& comparison) {
     if (comparison.fisher.has_value()) {
         text = fmt::format("Fisher's exact p {}, {}", p_text(*comparison.fisher), text);
     }
-    return text + fmt::format(" (from counts alone: {})", comparison.same_participants.reason);
+    const std::string& why = comparison.conditions.size() > comparison.votes.size()
+                                 ? comparison.contrast.reason
+                                 : comparison.same_participants.reason;
+    return text + fmt::format(" (from counts alone: {})", why);
 }
 
 }  // namespace
@@ -124,6 +139,7 @@ Possible<SameParticipants> same_participants(const Conditions& conditions) {
 }
 
 Possible<PValue> p_of(const Comparison& comparison) {
+    if (comparison.contrast.has_value()) return comparison.contrast->p;
     if (!comparison.same_participants.has_value()) {
         if (comparison.fisher.has_value()) return comparison.fisher;
         if (!comparison.test.has_value()) return Possible<PValue>::none(comparison.test.reason);
@@ -136,6 +152,7 @@ Possible<PValue> p_of(const Comparison& comparison) {
 }
 
 std::string test_words(const Comparison& comparison) {
+    if (comparison.contrast.has_value()) return contrast_words(*comparison.contrast, comparison);
     if (!comparison.same_participants.has_value()) return counts_words(comparison);
     const SameParticipants& same = *comparison.same_participants;
     if (comparison.votes.size() == 2) return mcnemar_words(same);

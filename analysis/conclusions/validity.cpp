@@ -6,10 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <map>
 #include <tuple>
 
+#include "analysis/conclusions/level_contrast.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/conclusions/same_participants.h"
 #include "analysis/conclusions/words.h"
@@ -30,6 +32,7 @@ class Families {
     /// `by_view`: whether different views are different things.
     Families(const Tally& tally, bool by_view) {
         std::map<std::tuple<std::string, std::string, std::string>, std::size_t> place;
+        std::map<std::pair<std::string, std::string>, std::string> as_a;
         for (const ConditionVotes& condition : tally.conditions) {
             if (level_number(condition.validity) == kLevels || (by_view && condition.view.empty()))
                 continue;
@@ -40,9 +43,10 @@ class Families {
                                          by_view ? condition.view : std::string()),
                               families_.size());
             if (is_new) families_.emplace_back();
-            SamePair& family = families_[entry->second];
-            const bool as_first = family.empty() || family.front()->variant_a == a;
-            family.push_back(as_first ? &condition : turned(condition));
+            // Of every scene the same variant is A: that of the first condition with the two.
+            const auto called_a = as_a.emplace(std::minmax(a, b), a).first;
+            families_[entry->second].push_back(called_a->second == a ? &condition
+                                                                     : turned(condition));
         }
         for (SamePair& family : families_) {
             std::stable_sort(family.begin(), family.end(), [](const auto* one, const auto* other) {
@@ -60,6 +64,23 @@ class Families {
         return several;
     }
 
+    /// The same, with those of the same two variants beside each other, in order of their first.
+    [[nodiscard]] std::vector<std::vector<SamePair>> by_variants() const {
+        std::vector<std::vector<SamePair>> groups;
+        for (const SamePair& family : at_several_levels()) {
+            const auto is_same = [&](const std::vector<SamePair>& group) {
+                return is_of_variants(family, *group.front().front());
+            };
+            const auto known = std::find_if(groups.begin(), groups.end(), is_same);
+            if (known == groups.end()) {
+                groups.push_back({family});
+            } else {
+                known->push_back(family);
+            }
+        }
+        return groups;
+    }
+
     [[nodiscard]] bool is_turned(const ConditionVotes* condition) const {
         return std::any_of(turned_.begin(), turned_.end(),
                            [&](const ConditionVotes& own) { return &own == condition; });
@@ -67,6 +88,11 @@ class Families {
 
   private:
     static constexpr std::size_t kLevels = 3;
+
+    static bool is_of_variants(const SamePair& family, const ConditionVotes& other) {
+        return family.front()->variant_a == other.variant_a &&
+               family.front()->variant_b == other.variant_b;
+    }
 
     const ConditionVotes* turned(const ConditionVotes& condition) {
         ConditionVotes& copy = turned_.emplace_back(condition);
@@ -95,6 +121,12 @@ std::vector<const ConditionVotes*> at_levels(const SamePair& family, const std::
 /// Of every two levels: of the same participants where they answered each once, else from counts.
 std::vector<LevelDifference> differences_of(const Comparison& comparison, const SamePair& family) {
     std::vector<LevelDifference> differences;
+    if (comparison.contrast.has_value()) {
+        const LevelContrast& contrast = *comparison.contrast;
+        differences.push_back({0, 1, contrast.difference, contrast.interval, contrast.equality,
+                               DifferenceKind::kContrast});
+        return differences;
+    }
     for (std::size_t from = 0; from < comparison.votes.size(); ++from) {
         for (std::size_t to = from + 1; to < comparison.votes.size(); ++to) {
             const auto same = same_participants(
@@ -145,21 +177,66 @@ Comparison comparison_of(const SamePair& family, const Families& families) {
         comparison.fisher = fisher_exact(comparison.votes[0], comparison.votes[1]);
     }
     comparison.same_participants = same_participants(family);
+    if (comparison.votes.size() == 2 && family.size() > 2) {
+        comparison.contrast = level_contrast(family, comparison.levels.front());
+    }
     comparison.differences = differences_of(comparison, family);
     return comparison;
 }
 
-/// Every two conditions at different levels.
+/// Every two conditions of a scene at different levels.
 std::vector<Comparison> pairs_of(const SamePair& family, const Families& families) {
     std::vector<Comparison> pairs;
     if (family.size() > kMostPairedConditions) return pairs;
     for (std::size_t i = 0; i < family.size(); ++i) {
         for (std::size_t j = i + 1; j < family.size(); ++j) {
-            if (family[i]->validity == family[j]->validity) continue;
+            if (family[i]->validity == family[j]->validity || family[i]->view != family[j]->view) {
+                continue;
+            }
             pairs.push_back(comparison_of({family[i], family[j]}, families));
         }
     }
     return pairs;
+}
+
+bool is_once_a_level(const SamePair& family) {
+    return std::adjacent_find(family.begin(), family.end(), [](const auto* one, const auto* other) {
+               return one->validity == other->validity;
+           }) == family.end();
+}
+
+/// The names of what is seen, each once.
+std::string views_of(const SamePair& family) {
+    std::vector<std::string> views;
+    for (const ConditionVotes* condition : family) {
+        if (std::find(views.begin(), views.end(), condition->view) == views.end()) {
+            views.push_back(condition->view);
+        }
+    }
+    return listed(views);
+}
+
+/// Of one scene that shows each level once, all levels together; else every two levels, over the
+/// scenes that show both. `scenes`: the conditions of each, all with the same two variants.
+std::vector<SamePair> compared(const std::vector<SamePair>& scenes) {
+    if (scenes.size() == 1 && is_once_a_level(scenes.front())) return scenes;
+    std::vector<SamePair> compared;
+    constexpr std::array<std::pair<const char*, const char*>, 3> kTwo{
+        std::pair{"low", "moderate"}, {"low", "high"}, {"moderate", "high"}};
+    for (const auto& [one, other] : kTwo) {
+        SamePair both;
+        for (const SamePair& scene : scenes) {
+            const SamePair own = at_levels(scene, one, other);
+            if (own.empty() || own.front()->validity == own.back()->validity) continue;
+            both.insert(both.end(), own.begin(), own.end());
+        }
+        std::stable_partition(both.begin(), both.end(),
+                              [first = std::string_view(one)](const ConditionVotes* condition) {
+                                  return condition->validity == first;
+                              });
+        if (!both.empty()) compared.push_back(both);
+    }
+    return compared;
 }
 
 /// With the test that fits what is known.
@@ -229,8 +306,8 @@ std::string_view to_string(DifferenceKind kind) {
     switch (kind) {
         case DifferenceKind::kPaired:
             return "same participants";
-        case DifferenceKind::kResampled:
-            return "participants drawn anew";
+        case DifferenceKind::kContrast:
+            return "t of the same participants' differences";
         case DifferenceKind::kCounts:
             return "counts";
     }
@@ -245,10 +322,13 @@ Possible<ValidityResult> test_validity(const Tally& tally) {
     ValidityResult result;
     result.name = name_of(tally);
     const Families families(tally, true);
-    for (const SamePair& family : families.at_several_levels()) {
-        result.by_level.push_back(comparison_of(family, families));
-        if (family.size() == 2) continue;
-        for (Comparison& pair : pairs_of(family, families)) result.by_pair.push_back(pair);
+    for (const std::vector<SamePair>& scenes : families.by_variants()) {
+        for (const SamePair& family : compared(scenes)) {
+            result.by_level.push_back(comparison_of(family, families));
+            result.by_level.back().view = views_of(family);
+            if (family.size() == 2) continue;
+            for (Comparison& pair : pairs_of(family, families)) result.by_pair.push_back(pair);
+        }
     }
     result.without_partner = without_partner(tally, result.by_level);
     if (result.by_level.empty()) result.no_comparison = why_none(tally);

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/statistics/holm.h"
-#include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 namespace {
@@ -52,14 +52,12 @@ bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kS
 
 std::string kind_words(ShareIntervalKind kind) {
     switch (kind) {
-        case ShareIntervalKind::kResampled:
-            return "participants drawn anew";
         case ShareIntervalKind::kMeans:
-            return "t of the participants' own shares";
+            return "t over participants";
         case ShareIntervalKind::kEachOnce:
             return "Clopper-Pearson, each participant counted once";
         case ShareIntervalKind::kCounts:
-            return "Wilson, each participant counted once because his votes may be alike";
+            return "Clopper-Pearson, each participant counted once because his votes may be alike";
     }
     return "";
 }
@@ -278,25 +276,27 @@ std::string verdict_words(const Verdict& verdict) {
 std::string verdict_rule() {
     return fmt::format(
         "Verdicts: each hypothesis has one test of its pooled votes (by flipping the signs of the "
-        "participants' preferences where every answer is known, the exact binomial test where only "
-        "counts are). Votes are pooled where B means the same in each condition. Where the study "
+        "participants' preferences where every answer is known; the exact binomial test, each "
+        "participant counted once, where only counts are). Votes are pooled where B means the same "
+        "in each condition. Where the study "
         "asks "
         "whether the preference depends on validity, that has one test for every two variants "
-        "shown in the same scene at several levels, exact over two. Holm's correction is over all "
-        "of "
+        "shown in the same scene at several levels: McNemar's exact test over two, Cochran's Q "
+        "over more, and where several conditions show a level the test by flipping the signs of "
+        "the participants' changes between every two levels. Holm's correction is over all of "
         "these, whoever answered: a test that could not be computed counts as p = 1. "
         "Corrected p below {0:g}: one image is preferred, by less than the relevant {1} where the "
         "90 % interval lies within {2:g} to {3:g} %; for validity, the effect differs. Otherwise, "
         "where the 90 % interval lies within {2:g} to {3:g} % (validity: every difference between "
         "levels within {1}): practically equal, by two one-sided tests at {0:g}; else undecided. "
-        "Not tested: nothing could be compared. The 95 % interval is of participants drawn anew, "
-        "and no narrower than if all votes were independent, the 90 % interval t's of the "
-        "participants' own shares; where fewer than {4} answered or nobody varies, both are "
-        "Clopper-Pearson's with each participant counted once; from counts, Wilson's in the same "
-        "way. Those of a difference between levels are from the exact limits of how many changed "
-        "their answer; from counts, Newcombe's.",
+        "Not tested: nothing could be compared. Intervals are t's over participants, whose votes "
+        "hang together; Clopper-Pearson's with each participant counted once where each voted "
+        "once, where nobody differs from the others, where fewer than {4} answered, and from "
+        "counts alone. Those of a difference between levels are t's of the participants' own "
+        "changes, of one pair of conditions from the exact limits of how many changed their "
+        "answer; from counts, Newcombe's.",
         kSignificance, points_words(), 100.0 * (1.0 - kRelevantShare), 100.0 * kRelevantShare,
-        kFewestResampled);
+        kFewestForMeans);
 }
 
 ShareReach reach_of(const Interval& interval) {

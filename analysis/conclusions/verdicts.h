@@ -7,7 +7,7 @@
 namespace obscura::analysis {
 
 /// A verdict on every hypothesis that conditions name, and on the question about validity where it
-/// is asked, by verdict_rule(). Needs hypotheses, validity and resampling of the analysis.
+/// is asked, by verdict_rule(). Needs hypotheses and validity of the analysis.
 [[nodiscard]] std::vector<Verdict> verdicts_of(const Analysis& analysis);
 
 /// What an interval of the share of B says of shares that a study cares about. An end is taken as

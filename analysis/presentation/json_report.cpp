@@ -75,14 +75,12 @@ Json condition_json(const ConditionResult& result) {
 
 std::string_view source_of(ShareIntervalKind kind) {
     switch (kind) {
-        case ShareIntervalKind::kResampled:
-            return "resampled";
         case ShareIntervalKind::kMeans:
             return "t_of_participants";
         case ShareIntervalKind::kEachOnce:
             return "clopper_pearson_of_participants";
         case ShareIntervalKind::kCounts:
-            return "wilson_of_participants";
+            return "clopper_pearson_of_people";
     }
     return "";
 }
@@ -96,6 +94,18 @@ void put_share_interval(Json& object, const std::string& name,
     if (interval.has_value()) object[name + "_from"] = source_of(interval->kind);
 }
 
+/// Whether the conditions of a hypothesis differ.
+void put_heterogeneity(Json& object, const Possible<Heterogeneity>& heterogeneity) {
+    if (!heterogeneity.has_value()) {
+        return put_none(object, "heterogeneity", heterogeneity.reason);
+    }
+    Json& entry = object["heterogeneity"];
+    entry["n_participants"] = heterogeneity->participants;
+    entry["cochran_q"] = heterogeneity->test.statistic;
+    entry["df"] = heterogeneity->test.df;
+    put_p(entry, "p", Possible<PValue>(heterogeneity->test.p));
+}
+
 Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
@@ -107,7 +117,12 @@ Json hypothesis_json(const HypothesisResult& result) {
             put_none(object, name, result.pooling.reason);
         }
     }
-    put_preference(object, result.pooled);
+    Preference shown = result.pooled;
+    shown.posterior = result.posterior;
+    put_preference(object, shown);
+    object["take_votes_as_independent"] = {"chi_square", "p_value", "p_exact"};
+    put_p(object, "p_each_once", result.each_once);
+    put_heterogeneity(object, result.heterogeneity);
     if (result.by_participant.has_value()) {
         object["n_participants_with_preference"] = result.by_participant->participants;
         object["by_participant_exact"] = result.by_participant->is_exact;
@@ -115,7 +130,6 @@ Json hypothesis_json(const HypothesisResult& result) {
     } else {
         put_none(object, "p_by_participant", result.by_participant.reason);
     }
-    put_interval(object, "resampled_share_b", result.resampled);
     put_share_interval(object, "share_b_interval", result.interval);
     put_share_interval(object, "share_b_interval_90", result.equality_interval);
     object["secondary"] = result.secondary;
@@ -173,6 +187,17 @@ Json comparison_json(const Comparison& comparison) {
         object["same_participants"] = same_participants_json(*comparison.same_participants);
     } else {
         put_none(object, "same_participants", comparison.same_participants.reason);
+    }
+    if (comparison.contrast.has_value()) {
+        const LevelContrast& contrast = *comparison.contrast;
+        Json& entry = object["contrast"];
+        entry["n_participants"] = contrast.n;
+        entry["left_out"] = contrast.left_out;
+        entry["n_scenes"] = contrast.scenes;
+        entry["is_exact"] = contrast.is_exact;
+        put_p(entry, "p", Possible<PValue>(contrast.p));
+    } else {
+        put_none(object, "contrast", comparison.contrast.reason);
     }
     object["differences"] = Json::array();
     for (const LevelDifference& difference : comparison.differences) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/cells.h"
 #include "analysis/presentation/report_parts.h"
@@ -144,31 +145,39 @@ PageTable differences_table(const Analysis& analysis) {
     return table;
 }
 
+std::string heterogeneity_cell(const Possible<Heterogeneity>& heterogeneity) {
+    if (!heterogeneity.has_value()) return kNoValue;
+    return fmt::format("Q {:.2f}, df {}, {}", heterogeneity->test.statistic, heterogeneity->test.df,
+                       p_words(heterogeneity->test.p));
+}
+
 /// The votes of each hypothesis together.
 PageTable hypotheses_table(const Analysis& analysis) {
-    PageTable table{{"Hypothesis", "Conditions", "Votes A : B", "B (%)", "95 % interval (%)",
-                     "p, chi-square", "p, participants"},
+    PageTable table{{"Hypothesis", "Conditions", "Votes A : B", "B (%)", "95 % interval (%)", "p",
+                     "95 % credible (%)", "P(B preferred)", "Do its conditions differ?"},
                     {}};
     for (const HypothesisResult& result : analysis.hypotheses) {
         const Preference& pooled = result.pooled;
+        std::vector<std::string> row{result.name,
+                                     fmt::format("{}", fmt::join(result.conditions, ", "))};
         if (!result.pooling.has_value()) {
-            table.rows.push_back({result.name,
-                                  fmt::format("{}", fmt::join(result.conditions, ", ")),
-                                  "not pooled", kNoValue, kNoValue, kNoValue, kNoValue});
+            row.insert(row.end(),
+                       {"not pooled", kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue});
+            table.rows.push_back(row);
             continue;
         }
-        table.rows.push_back(
-            {result.name, fmt::format("{}", fmt::join(result.conditions, ", ")),
-             fmt::format("{} : {}", pooled.votes.a, pooled.votes.b),
+        const Possible<Posterior>& belief = result.posterior;
+        row.insert(
+            row.end(),
+            {fmt::format("{} : {}", pooled.votes.a, pooled.votes.b),
              pooled.share_b.has_value() ? fmt::format("{:.1f}", 100.0 * *pooled.share_b) : kNoValue,
-             result.interval.has_value()
-                 ? fmt::format("{:.1f} to {:.1f}", 100.0 * result.interval->bounds.low,
-                               100.0 * result.interval->bounds.high)
-                 : kNoValue,
-             pooled.chi_square.has_value() ? p_cell(Possible<PValue>(pooled.chi_square->p))
-                                           : kNoValue,
-             result.by_participant.has_value() ? p_cell(Possible<PValue>(result.by_participant->p))
-                                               : kNoValue});
+             result.interval.has_value() ? share_cell(Possible<Interval>(result.interval->bounds))
+                                         : kNoValue,
+             p_cell(p_of(result)),
+             belief.has_value() ? share_cell(Possible<Interval>(belief->interval)) : kNoValue,
+             belief.has_value() ? p_cell(Possible<PValue>(belief->above_half)) : kNoValue,
+             heterogeneity_cell(result.heterogeneity)});
+        table.rows.push_back(row);
     }
     return table;
 }
@@ -185,7 +194,9 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
                                  fmt::format("{}", fmt::join(shares, ", "))};
     add_test(row, comparison.test);
     row.push_back(p_cell(comparison.fisher));
-    if (comparison.same_participants.has_value()) {
+    if (comparison.contrast.has_value()) {
+        row.push_back(test_words(comparison));
+    } else if (comparison.same_participants.has_value()) {
         row.push_back(same_words(*comparison.same_participants));
     } else {
         row.push_back(fmt::format("none: {}", comparison.same_participants.reason));
@@ -209,9 +220,10 @@ void add_validity(ReportDraft& draft, const ValidityResult& validity) {
         table,
         "Is the share of B the same at each level, in the same scene? Chi-square, df, p: test of "
         "homogeneity from the counts, as if different people had answered at each level; Fisher's "
-        "exact test where two are compared. Same participants: Cochran's Q or McNemar's test, "
-        "which "
-        "are the ones to read where each participant's answers are known (how many changed to A "
+        "exact test where two are compared. Same participants: Cochran's Q, McNemar's test or, of "
+        "several conditions at a level, the test by flipping the signs of each participant's "
+        "change, which are the ones to read where each participant's answers are known (how many "
+        "changed to A "
         "and to B).");
     if (!validity.without_partner.empty()) {
         draft.page.paragraph(capital(partner_words(validity.without_partner)));
@@ -221,8 +233,9 @@ void add_validity(ReportDraft& draft, const ValidityResult& validity) {
     draft.page.table(
         differences,
         "By how many percentage points the share of B changes from one level to another. Interval "
-        "from: the same participants (exact limits of how many changed), participants drawn anew, "
-        "or counts (Newcombe).");
+        "from: the same participants (exact limits of how many changed), t of the same "
+        "participants' "
+        "differences over several pairs, or counts (Newcombe).");
 }
 
 }  // namespace
@@ -264,9 +277,11 @@ void add_hypotheses(ReportDraft& draft) {
         draft.page.table(
             hypotheses_table(analysis),
             "The votes of each hypothesis's conditions together, where B means the same in each of "
-            "them. p, chi-square takes all votes as independent; p, participants compares each "
-            "participant's sum with its mirror image and is the one to read where it is known. The "
-            "interval is the one that the verdict rests on.");
+            "them. p and the intervals are those of the verdict, before correction: they take the "
+            "votes of a participant as hanging together. Credible, P: of the share of B among "
+            "people, each of whom has a share of his own, when every share and every correlation "
+            "between two votes of a participant was thought equally likely before. Do its "
+            "conditions differ: Cochran's Q of the participants who answered each.");
         std::vector<std::string> meanings;
         for (const HypothesisResult& result : analysis.hypotheses) {
             meanings.push_back(fmt::format(

@@ -3,6 +3,7 @@
 #include "analysis/statistics/exact_binomial.h"
 
 #include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -65,6 +66,19 @@ Possible<PValue> exact_binomial(std::int64_t successes, std::int64_t n, double s
                                         [&](std::int64_t k) { return binomial.log_pmf(k) > tie; }) -
                              1;
     return sum_of(binomial.lower(far), binomial.upper(successes));
+}
+
+Possible<PValue> exact_binomial_of_share(double share, std::int64_t n) {
+    base::check_range("exact_binomial_of_share", "n", n, std::int64_t{0}, 2 * kMaxCount);
+    base::check_range("exact_binomial_of_share", "share", share, 0.0, 1.0);
+    const auto count = static_cast<double>(n);
+    const double met = std::max(share, 1.0 - share) * count;
+    if (met == std::round(met)) return exact_binomial(static_cast<std::int64_t>(met), n);
+    // P(Binomial(n, 1/2) >= k) = I_1/2(k, n - k + 1) (NIST DLMF 8.17.5), for any k.
+    const double tail = boost::math::ibeta(met, count - met + 1.0, 0.5);
+    const double p = std::min(1.0, 2.0 * tail);
+    if (p > kSmallestProbability) return PValue{p, std::log10(p)};
+    return exact_binomial(static_cast<std::int64_t>(std::floor(met)), n);
 }
 
 }  // namespace obscura::analysis

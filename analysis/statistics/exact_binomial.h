@@ -15,4 +15,9 @@ namespace obscura::analysis {
 [[nodiscard]] Possible<PValue> exact_binomial(std::int64_t successes, std::int64_t n,
                                               double share = 0.5);
 
+/// The same against one half for a share (0 to 1) of `n` that need not be a whole number of
+/// successes, as of n participants with several votes each: twice the tail, which
+/// clopper_pearson_of_share() turns round; the two never contradict each other.
+[[nodiscard]] Possible<PValue> exact_binomial_of_share(double share, std::int64_t n);
+
 }  // namespace obscura::analysis

@@ -70,4 +70,26 @@ Possible<SignFlipTest> sign_flip(const std::vector<std::int64_t>& differences) {
     return test;
 }
 
+Possible<SignFlipTest> sign_flip_nearly(const std::vector<double>& differences) {
+    SignFlipTest test;
+    test.is_exact = false;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const double difference : differences) {
+        if (!std::isfinite(difference)) {
+            throw base::bad_input(
+                "sign_flip_nearly: a difference is {}, allowed is a finite number", difference);
+        }
+        if (difference != 0.0) ++test.participants;
+        sum += difference;
+        squares += difference * difference;
+    }
+    if (test.participants == 0) {
+        return Possible<SignFlipTest>::none("no participant chose one side more often");
+    }
+    test.sum = std::llround(sum);
+    test.p = chi_square_tail(sum * sum / squares, 1);
+    return test;
+}
+
 }  // namespace obscura::analysis

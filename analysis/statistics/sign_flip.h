@@ -27,4 +27,8 @@ inline constexpr std::size_t kMostFlipped = 1000;
 /// a difference beyond a million.
 [[nodiscard]] Possible<SignFlipTest> sign_flip(const std::vector<std::int64_t>& differences);
 
+/// The same by the normal approximation for differences of any size, as of participants who did not
+/// all answer as often; `sum` is rounded. Throws bad input for one that is not finite.
+[[nodiscard]] Possible<SignFlipTest> sign_flip_nearly(const std::vector<double>& differences);
+
 }  // namespace obscura::analysis

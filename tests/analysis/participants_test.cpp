@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "analysis/conclusions/analysis.h"
@@ -131,7 +132,8 @@ TEST(Verdicts, OfThePublishedVotesAreUndecided) {
         EXPECT_THAT(verdict.sentence, HasSubstr(": undecided. "));
     }
     EXPECT_THAT(analysis.verdicts[0].sentence,
-                AllOf(HasSubstr("exact binomial test p 0.148576"), Not(HasSubstr("needed"))));
+                AllOf(HasSubstr("exact binomial test p 0.470691, each participant counted once"),
+                      Not(HasSubstr("needed"))));
     EXPECT_THAT(
         analysis.verdicts[2].sentence,
         AllOf(HasSubstr("in Sponza over moderate, high (III, VI): Fisher's exact p 0.148839, "
@@ -139,8 +141,8 @@ TEST(Verdicts, OfThePublishedVotesAreUndecided) {
               HasSubstr("p 0.621034"), Not(HasSubstr("0.157894")),
               HasSubstr("I, IV and VII have no partner")));
     EXPECT_EQ(analysis.verdicts[0].tests, 4U);
-    EXPECT_NEAR(*analysis.verdicts[0].p_holm, 4 * .1485763, 1e-5) << "the smallest of four";
-    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .1485763, 1e-5) << "the next, 3 * .148839";
+    EXPECT_NEAR(*analysis.verdicts[2].p_holm, 4 * .148839, 1e-5) << "the smallest of four";
+    EXPECT_EQ(*analysis.verdicts[0].p_holm, 1.0) << "the next, 3 * .470691";
     EXPECT_THAT(text_report(analysis), HasSubstr("Holm's correction for 7 tests: none."));
     EXPECT_EQ(analysis.power->n, 36);
     EXPECT_NEAR(analysis.power->shares[1].exact.power, .3563, 5e-5);
@@ -171,18 +173,17 @@ TEST(Verdicts, FollowTheirRule) {
     EXPECT_EQ(verdict_words(verdict_on(1, 9)), "undecided");
 }
 
-TEST(Resampling, OfTheSameAnswersGivesTheSameIntervals) {
+TEST(PooledInterval, OfTheSameAnswersIsTheSameAndOfParticipants) {
     const std::string text = attentive_and_not("");
     const Analysis one = analysed(text);
     EXPECT_EQ(json_report(one), json_report(analysed(text)));
-    EXPECT_EQ(*one.resampling.draws, 2000);
     const Analysis other =
         analyse(tally_of(parse_trials(text, "t.csv"), "", Kind::kParticipant), 7);
     EXPECT_EQ(other.resampling.seed, 7U);
     // Everyone's two votes are alike: 16 of 20 participants, not 32 of 40 votes.
-    const Interval& bounds = *one.hypotheses[0].resampled;
-    EXPECT_NEAR(bounds.low, .6, .051);
-    EXPECT_NEAR(bounds.high, .95, .051);
+    const Interval& bounds = one.hypotheses[0].interval->bounds;
+    EXPECT_NEAR(bounds.low, .8 - 2.093024 * std::sqrt(.16 / 19.0), 1e-6);
+    EXPECT_NEAR(bounds.high, .8 + 2.093024 * std::sqrt(.16 / 19.0), 1e-6);
 }
 
 }  // namespace
