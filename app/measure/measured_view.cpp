@@ -326,7 +326,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
             technique.standard_recipe().reads(renderer::Target::kDepth)) {
             Variant choice = ways.front().choice;
             choice.depth_format = "r16f";
-            add(choice, ways.front().values);
+            if (renderer::problems_of(choice).empty()) add(choice, ways.front().values);
         }
     }
     const std::vector<std::string> techniques = measured_techniques(request);

@@ -22,8 +22,9 @@ constexpr int kSide = BlockSampler::kSide;
 constexpr int kPacket = 16;
 /// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
 constexpr unsigned kFlushDenormals = 0x8040;
-/// How far off its surface a ray starts: a share of the depth, for what a float leaves of it.
-constexpr float kOffset = 4.0e-6F;
+/// How far off its surface a ray starts, as a share of the depth: what interpolation in floats over
+/// large triangles may leave of it.
+constexpr float kOffset = 3.0e-5F;
 
 glm::vec3 decoded(const float* code) {
     const glm::vec3 n = (glm::vec3(code[0], code[1], code[2]) * 255.0F - 128.0F) * (1.0F / 127.0F);

@@ -57,6 +57,14 @@ void check_options(const Variant& variant, Problems& problems) {
         problems.push_back({option.name, fmt::format("\"{}\" is unknown; allowed are {}", value,
                                                      fmt::join(allowed, ", "))});
     }
+    const Technique& technique = *find_technique(variant.technique);
+    if (technique.ray_traced && !technique.is_truth() && variant.depth_format == "r16f") {
+        problems.push_back(
+            {"depth_format", fmt::format("\"r16f\" is not allowed: {} starts its rays "
+                                         "from the depth, and 16 bits put them "
+                                         "inside surfaces",
+                                         technique.name)});
+    }
 }
 
 void check_parameter(const Technique& technique, const std::string& name, double value,
