@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "analysis/conclusions/analysis.h"
@@ -15,7 +17,9 @@
 #include "analysis/tally.h"
 #include "analysis/trials_file.h"
 #include "app/commands/list.h"
+#include "app/commands/look_log.h"
 #include "app/commands/report_input.h"
+#include "app/kiosk/machine.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "stimuli/view_names.h"
@@ -31,6 +35,7 @@ struct AnalyzeOptions {
     bool published = false;
     std::string study;
     std::string study_file;
+    std::filesystem::path preregistered;  ///< empty: none
     std::string kind = "participant";
     bool validity = false;
     bool json = false;
@@ -41,9 +46,32 @@ struct AnalyzeOptions {
 /// The votes, and who gave them where that is known.
 struct Answers {
     analysis::Tally tally;
+    analysis::Conducted conducted = {};
     analysis::Possible<analysis::Attendance> attendance =
         analysis::Possible<analysis::Attendance>::none("only votes are known");
 };
+
+/// SHA-256 of every image that a completed session showed, by the file that it was of.
+std::map<std::string, std::vector<std::string>> images_shown(analysis::Store& store,
+                                                             const std::string& study,
+                                                             analysis::Kind kind) {
+    std::map<std::string, std::vector<std::string>> shown;
+    const auto note = [&](const analysis::TrialRecord& trial, char side, const std::string& hash) {
+        auto& hashes = shown[fmt::format("{}-{}.png", trial.condition, side)];
+        if (std::find(hashes.begin(), hashes.end(), hash) == hashes.end()) hashes.push_back(hash);
+    };
+    store.each_trial(
+        [&](const analysis::TrialRecord& trial, const analysis::SessionRecord& session) {
+            if (session.study != study || session.kind != kind ||
+                session.state != analysis::SessionState::kCompleted) {
+                return;
+            }
+            const bool a_first = trial.first_shown == 'A';
+            note(trial, 'a', a_first ? trial.first_sha256 : trial.second_sha256);
+            note(trial, 'b', a_first ? trial.second_sha256 : trial.first_sha256);
+        });
+    return shown;
+}
 
 Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
@@ -52,6 +80,9 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
     store.of_one_moment([&] {
         answers.tally =
             analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
+        if (!options.preregistered.empty()) {
+            answers.conducted.images = images_shown(store, answers.tally.study, *kind);
+        }
         if (!options.out.empty()) {
             answers.attendance = analysis::attendance_of(store, answers.tally.study, *kind);
         }
@@ -102,6 +133,21 @@ void write_report(analysis::Analysis result, Answers answers,
     fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
 }
 
+/// Counts and tables of other programs are looked at once, or nobody knows how often.
+bool is_of_store(const AnalyzeOptions& options) {
+    return !options.published && options.counts.empty() && options.trials.empty();
+}
+
+analysis::RegistrationResult registration_of(Answers& answers, const analysis::Analysis& result,
+                                             const AnalyzeOptions& options) {
+    analysis::Conducted& conducted = answers.conducted;
+    conducted.software = kiosk::software_version();
+    conducted.analysis_seed = result.resampling.seed;
+    conducted.asks_validity = options.validity && result.family.interaction() == nullptr;
+    return analysis::compare_registration(analysis::read_registration(options.preregistered),
+                                          options.preregistered.string(), answers.tally, conducted);
+}
+
 base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
     Answers answers = answers_of(options, globals);
@@ -109,9 +155,18 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
         base::log::warn("{}: {}", answers.tally.source, note);
     }
     answers.tally.asks_validity = options.validity;
+    std::optional<LookLog> looks;
+    if (is_of_store(options) && answers.tally.kind == analysis::Kind::kParticipant) {
+        looks.emplace(globals.data, answers.tally.study);
+        answers.tally.looks_before = looks->looks();
+    }
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     analysis::Analysis result = analysis::analyse(answers.tally);
+    if (!options.preregistered.empty()) {
+        result.registration = registration_of(answers, result, options);
+    }
+    if (looks) looks->note(static_cast<std::int64_t>(answers.tally.participants.size()));
     const std::string shown =
         options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
@@ -121,44 +176,39 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-void attach_sources(CLI::App& app, AnalyzeOptions& options) {
-    auto* db = app.add_option("--db", options.db,
+void attach_sources(const Options& app, AnalyzeOptions& options) {
+    const Option db = app.add("--db", options.db,
                               "Response store, sqlite3://FILE or postgresql://... "
                               "[sqlite3://DATA/responses.sqlite]");
-    auto* counts = app.add_option(
-        "--counts", options.counts,
-        "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
-        "condition,hypothesis,validity,scene");
-    auto* trials = app.add_option(
+    const Option counts =
+        app.add("--counts", options.counts,
+                "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
+                "condition,hypothesis,validity,scene");
+    const Option trials = app.add(
         "--trials", options.trials,
         "Answers from a table, one row a trial: observer,condition_A,condition_B and is_A_selected "
         "(yes or no), chose_B, or chosen (a variant's name, A or B ...), and where they are there "
         "session_id,scene,order,response_time; or an exported trials.csv");
-    auto* map = app.add_option("--map", options.map,
+    const Option map = app.add("--map", options.map,
                                "What the table calls a column, as in observer=Subject; empty: its "
                                "column of our name is something else. Once for each column")
-                    ->type_name("OURS=THEIRS")
-                    ->expected(1)
-                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    auto* published = app.add_flag("--published", options.published,
-                                   "The votes of Jakobsen 2010, Table 4, which are built in");
-    auto* study =
-        app.add_option("--study", options.study, "Study to analyse, where there are several");
-    auto* kind = app.add_option("--kind", options.kind, "Whose answers: participant or simulated")
-                     ->check(CLI::IsMember({"participant", "simulated"}))
-                     ->capture_default_str();
-    map->excludes(db);
-    counts->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
-    published->excludes(map)
-        ->excludes(counts)
-        ->excludes(db)
-        ->excludes(trials)
-        ->excludes(study)
-        ->excludes(kind);
-    trials->excludes(db);
+                           .type("OURS=THEIRS")
+                           .repeatable();
+    const Option published =
+        app.add_flag("--published", options.published,
+                     "The votes of Jakobsen 2010, Table 4, which are built in");
+    const Option study =
+        app.add("--study", options.study, "Study to analyse, where there are several");
+    const Option kind = app.add("--kind", options.kind, "Whose answers: participant or simulated")
+                            .one_of({"participant", "simulated"})
+                            .shows_default();
+    map.excludes({db});
+    counts.excludes({db, trials, study, kind});
+    published.excludes({map, counts, db, trials, study, kind});
+    trials.excludes({db});
 }
 
-std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals& globals) {
     auto options = std::make_shared<AnalyzeOptions>();
     attach_sources(app, *options);
     app.add_flag("--validity", options->validity,
@@ -166,20 +216,22 @@ std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& glo
                  "study does: the same two variants in the same scene at two levels; corrected "
                  "together with the hypotheses");
     app.add_flag("--json", options->json, "Print JSON instead of a table");
-    auto* out = app.add_option("--out", options->out,
+    const Option out = app.add("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
                                "analysis.json, plots/, thumbnails/; what is there is replaced")
-                    ->type_name("DIR");
-    app.add_option("--study-file", options->study_file,
-                   "Study file, for which scenes are the same and for the report's title and "
-                   "question [the built-in study of that name]")
-        ->type_name("FILE");
-    app.add_option(
-           "--measurement", options->measurement,
-           "Table of obscura measure, for speed, error and what relates them to the answers "
-           "[DATA/reports/measure/measure.csv, where it is there]")
-        ->type_name("FILE")
-        ->needs(out);
+                           .type("DIR");
+    app.add("--study-file", options->study_file,
+            "Study file, for which scenes are the same and for the report's title and "
+            "question [the built-in study of that name]")
+        .type("FILE");
+    app.add("--preregistered", options->preregistered,
+            "Document of obscura plan --preregister: say what deviates from it")
+        .type("FILE");
+    app.add("--measurement", options->measurement,
+            "Table of obscura measure, for speed, error and what relates them to the answers "
+            "[DATA/reports/measure/measure.csv, where it is there]")
+        .type("FILE")
+        .needs(out);
     app.footer(
         "Tables are CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, or JSON as "
         "jsPsych writes it; other columns are passed over. "

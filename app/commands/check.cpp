@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/commands/planned_tally.h"
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
@@ -25,6 +26,14 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals&
     for (std::string& warning :
          stimuli::warnings_of(study, stimuli::compared_pairs(study, folder))) {
         warnings.push_back(std::move(warning));
+    }
+    const analysis::Tally planned = planned_tally(study);
+    for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
+        if (hypothesis.kind != stimuli::HypothesisKind::kPreference) continue;
+        const auto pooling = pooling_of(planned, hypothesis.conditions);
+        if (pooling.has_value()) continue;
+        warnings.push_back(fmt::format("hypothesis {} cannot be tested, and counts as p = 1: {}",
+                                       hypothesis.id, pooling.reason));
     }
     return warnings;
 }
@@ -62,11 +71,11 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
 
 Command check_command() {
     return {"check", "Say everything that is wrong with a study file, each with its line",
-            [](CLI::App& options, const Globals& globals) -> std::function<base::ExitCode()> {
+            [](const Options& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto study = std::make_shared<std::string>();
-                options.add_option("STUDY", *study,
-                                   "Study file, or the name of a built-in study; default: "
-                                   "jakobsen2010");
+                options.add("STUDY", *study,
+                            "Study file, or the name of a built-in study; default: "
+                            "jakobsen2010");
                 return [study, &globals] { return check(*study, globals); };
             }};
 }
