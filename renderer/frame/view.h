@@ -27,7 +27,7 @@ struct View {
     const Camera& camera;
     FrameOptions options = {};
     TracedAccessibility traced = {};  ///< nothing: a technique that is ray traced is refused
-    RaysOfScene rays = {};  ///< nothing: a recipe with a step on the processor is refused
+    RaysOfScene rays = {};            ///< nothing: a recipe with a step on the processor is refused
     /// In place of what scene and light ask for: needs_of_everything.
     std::optional<SceneNeeds> needs = {};
 };

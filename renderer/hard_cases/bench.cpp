@@ -138,8 +138,8 @@ const Bench::AdmittedPixels& Bench::admitted_of(const SeenBuffers& buffers, Vari
     choice.denoise = "none";  // comes after
     if (last_.choice != choice || !(last_.buffers == buffers)) {
         last_ = {buffers, choice, {}};
-        last_.admitted = admitted_by(
-            find_technique(choice.technique)->model(last_.buffers, choice), last_.buffers);
+        last_.admitted = admitted_by(find_technique(choice.technique)->model(last_.buffers, choice),
+                                     last_.buffers);
     }
     return last_.admitted;
 }

@@ -97,9 +97,8 @@ void run_noise_and_blur(Bench& bench, const Technique& technique) {
                   };
                   bench.expect(filter.name + ": smallest A on a plate, 1 pixel off its edge", 1.0,
                                of_denoised(shot, smallest), 0.01,
-                               filter.edge_by_nature.empty()
-                                   ? technique.why_not(Ideal::kOpenFacing)
-                                   : filter.edge_by_nature);
+                               filter.edge_by_nature.empty() ? technique.why_not(Ideal::kOpenFacing)
+                                                             : filter.edge_by_nature);
               });
 }
 

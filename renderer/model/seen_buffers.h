@@ -35,8 +35,9 @@ struct SeenBuffers {
         const auto view = [](const Camera& of) {
             return std::tuple(of.vertical_fov_rad, of.lens_shift.x, of.lens_shift.y, of.far_m);
         };
-        return width == other.width && height == other.height && samples == other.samples && depth_m == other.depth_m &&
-               empty == other.empty && normal == other.normal && view(camera) == view(other.camera);
+        return width == other.width && height == other.height && samples == other.samples &&
+               depth_m == other.depth_m && empty == other.empty && normal == other.normal &&
+               view(camera) == view(other.camera);
     }
 };
 

@@ -56,13 +56,14 @@ struct Technique {
     std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
     std::string citation;  ///< the definition's source
     Output output = Output::kAccessibility;
-    /// Accessibility comes from rays through the scene; without a recipe, by the tracer of the truth.
+    /// Accessibility comes from rays through the scene; without a recipe, by the tracer of the
+    /// truth.
     bool ray_traced = false;
     SampleRange samples;
     std::vector<Parameter> parameters;
     Recipe (*recipe)(const Variant& variant) = nullptr;  ///< the variant has no problems
-    /// Beside the standard values, which are as published: those that come nearest to the truth, one
-    /// set without dimensions for all scenes; empty where there are none yet.
+    /// Beside the standard values, which are as published: those that come nearest to the truth,
+    /// one set without dimensions for all scenes; empty where there are none yet.
     std::map<std::string, double> fitted;
     std::string denoise = "separable";  ///< the filter that a study means where it names none
     /// The parameter that says how far samples reach; 0 puts them all on the pixel's own point.
