@@ -59,6 +59,11 @@ void read_settings(TableReader& reader, const renderer::Technique& technique, Va
         const std::string wrong = renderer::apply_preset(*preset, variant);
         if (!wrong.empty()) reader.add("preset", wrong);
     }
+    for (const renderer::Technique& other : renderer::techniques()) {
+        for (const renderer::Parameter& parameter : other.parameters) {
+            reader.known_elsewhere(parameter.name, other.name);
+        }
+    }
     for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
         reader.add(problem.key, problem.message);
     }
