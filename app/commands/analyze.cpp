@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
 #include "analysis/presentation/json_report.h"
@@ -33,6 +34,8 @@ struct AnalyzeOptions {
     std::string study_file;
     std::string kind = "participant";
     bool validity = false;
+    bool model = false;
+    bool no_model = false;
     bool json = false;
     std::filesystem::path measurement;  ///< empty: the data folder's
     std::filesystem::path out;          ///< empty: nothing is written
@@ -76,6 +79,15 @@ Answers answers_of(const AnalyzeOptions& options, const Globals& globals) {
     return answers;
 }
 
+/// Whether mixed models are fitted: unasked to as many answers as take no time to speak of.
+bool wants_model(const AnalyzeOptions& options, const analysis::Tally& tally) {
+    std::int64_t answers = 0;
+    for (const analysis::ConditionVotes& condition : tally.conditions) {
+        answers += static_cast<std::int64_t>(condition.answers.size());
+    }
+    return options.model || (!options.no_model && answers <= analysis::kMostModelled);
+}
+
 /// The study that the answers are to, where its file is known.
 std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
                                        const analysis::Tally& tally) {
@@ -111,7 +123,8 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     answers.tally.asks_validity = options.validity;
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
-    analysis::Analysis result = analysis::analyse(answers.tally);
+    const analysis::AnalysisOptions parts{wants_model(options, answers.tally)};
+    analysis::Analysis result = analysis::analyse(answers.tally, parts);
     const std::string shown =
         options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
@@ -165,6 +178,12 @@ std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& glo
                  "Also ask whether the preference depends on ecological validity, as the built-in "
                  "study does: the same two variants in the same scene at two levels; corrected "
                  "together with the hypotheses");
+    auto* model = app.add_flag(
+        "--model", options->model,
+        fmt::format("Check each verdict by a logistic model with an intercept for each participant "
+                    "[unasked for up to {} answers]",
+                    analysis::kMostModelled));
+    app.add_flag("--no-model", options->no_model, "Leave that out")->excludes(model);
     app.add_flag("--json", options->json, "Print JSON instead of a table");
     auto* out = app.add_option("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
