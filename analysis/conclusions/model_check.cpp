@@ -30,9 +30,9 @@ struct Design {
 };
 
 /// The answers to the design's conditions, participants who answered alike together.
-class Answered {
+class ModelAnswers {
   public:
-    Answered(const Tally& tally, const VotesByParticipant& votes, const Design& design)
+    ModelAnswers(const Tally& tally, const VotesByParticipant& votes, const Design& design)
         : knows_order_(tally.order.has_value()), terms_(design.terms) {
         std::map<std::string, std::size_t> places;
         bool first = false;
@@ -115,7 +115,7 @@ ModelTerm term_of(const MixedLogistic& fit, std::size_t place) {
 }
 
 /// `nested`: the number of terms, from the first, without those that say whether conditions differ.
-Possible<ModelCheck> checked(const Answered& answered, std::size_t terms, std::size_t nested) {
+Possible<ModelCheck> checked(const ModelAnswers& answered, std::size_t terms, std::size_t nested) {
     using None = Possible<ModelCheck>;
     if (answered.predictors() > kMostPredictors) {
         return None::none(fmt::format("more than {} terms", kMostPredictors));
@@ -204,7 +204,7 @@ void check_by_model(Analysis& analysis) {
             continue;
         }
         const Design design = design_of(result, places);
-        result.model = checked(Answered(tally, votes, design), design.terms, 1);
+        result.model = checked(ModelAnswers(tally, votes, design), design.terms, 1);
     }
     if (!analysis.validity.has_value()) return;
     for (Comparison& comparison : analysis.validity.value->by_level) {
@@ -213,7 +213,7 @@ void check_by_model(Analysis& analysis) {
             continue;
         }
         const Design design = design_of(comparison, analysis, places);
-        comparison.model = checked(Answered(tally, votes, design), design.terms, design.terms);
+        comparison.model = checked(ModelAnswers(tally, votes, design), design.terms, design.terms);
     }
 }
 
