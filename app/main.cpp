@@ -33,16 +33,16 @@ void refuse_empty_values(int argc, char** argv) {
 }
 
 /// The first word that is neither an option nor a command is most often a command misspelt.
-void name_unknown_command(const CLI::App& program, int argc, char** argv) {
+void name_unknown_command(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--data" || word == "--allow") {
             ++i;
         } else if (!word.starts_with("-")) {
             std::string known;
-            for (const CLI::App* command : program.get_subcommands({})) {
-                if (command->get_name() == word) return;
-                known += (known.empty() ? "" : ", ") + command->get_name();
+            for (const obscura::app::Command& command : obscura::app::commands()) {
+                if (command.name == word) return;
+                known += (known.empty() ? "" : ", ") + command.name;
             }
             throw obscura::base::bad_input("there is no command \"{}\"; there are {}", word, known);
         }
@@ -51,35 +51,28 @@ void name_unknown_command(const CLI::App& program, int argc, char** argv) {
 
 int run(int argc, char** argv) {
     refuse_empty_values(argc, argv);
-    CLI::App program{
-        "Obscura: can people see the difference between ways of approximating ambient "
-        "occlusion?",
-        "obscura"};
-    program.set_version_flag("--version", std::string(OBSCURA_VERSION));
-    program.require_subcommand(1);
-    program.fallthrough();
+    obscura::app::CommandLine line(
+        "Obscura: can people see the difference between ways of approximating ambient occlusion?",
+        "obscura", OBSCURA_VERSION);
+    const obscura::app::Options program = line.options();
+    program.require_command();
     obscura::app::Globals globals;
-    program.add_option("--data", globals.data, "Folder that holds a study's life")
-        ->capture_default_str();
+    program.add("--data", globals.data, "Folder that holds a study's life").shows_default();
     program
-        .add_option("--allow", globals.allowed,
-                    "A folder from which files that a scene names may be read, beside the scene's "
-                    "own; repeatable")
-        ->check(CLI::ExistingDirectory)
-        ->allow_extra_args(false);
+        .add("--allow", globals.allowed,
+             "A folder from which files that a scene names may be read, beside the scene's own; "
+             "repeatable")
+        .existing_folder()
+        .repeatable();
     program.add_flag("--quiet", globals.quiet, "Say only warnings and errors");
 
     std::function<ExitCode()> chosen;
     for (const obscura::app::Command& command : obscura::app::commands()) {
-        CLI::App* options = program.add_subcommand(command.name, command.summary);
-        options->callback([&chosen, act = command.attach(*options, globals)] { chosen = act; });
+        const obscura::app::Options options = program.add_command(command.name, command.summary);
+        options.when_given([&chosen, act = command.attach(options, globals)] { chosen = act; });
     }
-    name_unknown_command(program, argc, argv);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kBadInput);
-    }
+    name_unknown_command(argc, argv);
+    if (!line.parse({argv + 1, argv + argc})) return static_cast<int>(ExitCode::kDone);
     obscura::base::log::set_up(globals.quiet);
     obscura::stimuli::allow_folders(globals.allowed);
     const ExitCode code = chosen();

@@ -12,13 +12,16 @@ function(obscura_tests name)
         OBSCURA_PROGRAM="$<TARGET_FILE:obscura_program>")
     # Some tests start the program itself. Their own code runs once: it need not be fast.
     add_dependencies(${program} obscura_program)
-    target_compile_options(${program} PRIVATE -O1)
+    obscura_seldom_hot(${program})
     if(OBSCURA_SANITIZE)
         target_sources(${program} PRIVATE support/sanitizers.cpp)
     endif()
 
     if(NOT test_ONE_BY_ONE)
         obscura_unity(${program})
+        if(OBSCURA_UNITY)
+            target_precompile_headers(${program} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+        endif()
     endif()
 
     set(suites)

@@ -134,44 +134,39 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-void attach_sources(CLI::App& app, AnalyzeOptions& options) {
-    auto* db = app.add_option("--db", options.db,
+void attach_sources(const Options& app, AnalyzeOptions& options) {
+    const Option db = app.add("--db", options.db,
                               "Response store, sqlite3://FILE or postgresql://... "
                               "[sqlite3://DATA/responses.sqlite]");
-    auto* counts = app.add_option(
-        "--counts", options.counts,
-        "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
-        "condition,hypothesis,validity,scene");
-    auto* trials = app.add_option(
+    const Option counts =
+        app.add("--counts", options.counts,
+                "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
+                "condition,hypothesis,validity,scene");
+    const Option trials = app.add(
         "--trials", options.trials,
         "Answers from a table, one row a trial: observer,condition_A,condition_B and is_A_selected "
         "(yes or no), chose_B, or chosen (a variant's name, A or B ...), and where they are there "
         "session_id,scene,order,response_time; or an exported trials.csv");
-    auto* map = app.add_option("--map", options.map,
+    const Option map = app.add("--map", options.map,
                                "What the table calls a column, as in observer=Subject; empty: its "
                                "column of our name is something else. Once for each column")
-                    ->type_name("OURS=THEIRS")
-                    ->expected(1)
-                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    auto* published = app.add_flag("--published", options.published,
-                                   "The votes of Jakobsen 2010, Table 4, which are built in");
-    auto* study =
-        app.add_option("--study", options.study, "Study to analyse, where there are several");
-    auto* kind = app.add_option("--kind", options.kind, "Whose answers: participant or simulated")
-                     ->check(CLI::IsMember({"participant", "simulated"}))
-                     ->capture_default_str();
-    map->excludes(db);
-    counts->excludes(db)->excludes(trials)->excludes(study)->excludes(kind);
-    published->excludes(map)
-        ->excludes(counts)
-        ->excludes(db)
-        ->excludes(trials)
-        ->excludes(study)
-        ->excludes(kind);
-    trials->excludes(db);
+                           .type("OURS=THEIRS")
+                           .repeatable();
+    const Option published =
+        app.add_flag("--published", options.published,
+                     "The votes of Jakobsen 2010, Table 4, which are built in");
+    const Option study =
+        app.add("--study", options.study, "Study to analyse, where there are several");
+    const Option kind = app.add("--kind", options.kind, "Whose answers: participant or simulated")
+                            .one_of({"participant", "simulated"})
+                            .shows_default();
+    map.excludes({db});
+    counts.excludes({db, trials, study, kind});
+    published.excludes({map, counts, db, trials, study, kind});
+    trials.excludes({db});
 }
 
-std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals& globals) {
     auto options = std::make_shared<AnalyzeOptions>();
     attach_sources(app, *options);
     app.add_flag("--validity", options->validity,
@@ -185,20 +180,19 @@ std::function<base::ExitCode()> attach_analyze(CLI::App& app, const Globals& glo
                     analysis::kMostModelled));
     app.add_flag("--no-model", options->no_model, "Leave that out")->excludes(model);
     app.add_flag("--json", options->json, "Print JSON instead of a table");
-    auto* out = app.add_option("--out", options->out,
+    const Option out = app.add("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
                                "analysis.json, plots/, thumbnails/; what is there is replaced")
-                    ->type_name("DIR");
-    app.add_option("--study-file", options->study_file,
-                   "Study file, for which scenes are the same and for the report's title and "
-                   "question [the built-in study of that name]")
-        ->type_name("FILE");
-    app.add_option(
-           "--measurement", options->measurement,
-           "Table of obscura measure, for speed, error and what relates them to the answers "
-           "[DATA/reports/measure/measure.csv, where it is there]")
-        ->type_name("FILE")
-        ->needs(out);
+                           .type("DIR");
+    app.add("--study-file", options->study_file,
+            "Study file, for which scenes are the same and for the report's title and "
+            "question [the built-in study of that name]")
+        .type("FILE");
+    app.add("--measurement", options->measurement,
+            "Table of obscura measure, for speed, error and what relates them to the answers "
+            "[DATA/reports/measure/measure.csv, where it is there]")
+        .type("FILE")
+        .needs(out);
     app.footer(
         "Tables are CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, or JSON as "
         "jsPsych writes it; other columns are passed over. "

@@ -183,19 +183,19 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
 
 Command ao_command() {
     return {"ao", "One accessibility buffer by any technique, the ray-traced reference included",
-            [](CLI::App& app, const Globals& globals) -> std::function<base::ExitCode()> {
+            [](const Options& app, const Globals& globals) -> std::function<base::ExitCode()> {
                 const auto options = std::make_shared<AoOptions>();
-                app.add_option("--scene", options->scene,
-                               "Built-in scene, or a file that ends in .gltf, .glb or .obj");
-                app.add_option("--camera", options->camera, "Its camera (default: the first)");
-                app.add_option("--validity", options->validity,
-                               "low, moderate or high: the level of the scene's light (default: "
-                               "its first)");
+                app.add("--scene", options->scene,
+                        "Built-in scene, or a file that ends in .gltf, .glb or .obj");
+                app.add("--camera", options->camera, "Its camera (default: the first)");
+                app.add("--validity", options->validity,
+                        "low, moderate or high: the level of the scene's light (default: "
+                        "its first)");
                 add_variant_options(app, options->variant);
-                app.add_option("--size", options->size, "WxH in pixels")->capture_default_str();
-                app.add_option("--out", options->out,
-                               "OpenEXR file: channel ao.Y, of the unfiltered reference also "
-                               "ao.stderr, its standard error");
+                app.add("--size", options->size, "WxH in pixels").shows_default();
+                app.add("--out", options->out,
+                        "OpenEXR file: channel ao.Y, of the unfiltered reference also "
+                        "ao.stderr, its standard error");
                 app.add_flag("--closed-forms", options->closed_forms,
                              "Instead: hold the reference against every scene whose accessibility "
                              "is known, and print the table (exit code 3 if one does not hold)");

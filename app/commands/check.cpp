@@ -62,11 +62,11 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
 
 Command check_command() {
     return {"check", "Say everything that is wrong with a study file, each with its line",
-            [](CLI::App& options, const Globals& globals) -> std::function<base::ExitCode()> {
+            [](const Options& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto study = std::make_shared<std::string>();
-                options.add_option("STUDY", *study,
-                                   "Study file, or the name of a built-in study; default: "
-                                   "jakobsen2010");
+                options.add("STUDY", *study,
+                            "Study file, or the name of a built-in study; default: "
+                            "jakobsen2010");
                 return [study, &globals] { return check(*study, globals); };
             }};
 }

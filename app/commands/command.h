@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "app/commands/options.h"
 #include "renderer/base/error.h"
 
 namespace obscura::app {
@@ -29,7 +29,8 @@ struct Globals {
 struct Command {
     std::string name;
     std::string summary;
-    std::function<base::ExitCode()> (*attach)(CLI::App& options, const Globals& globals) = nullptr;
+    std::function<base::ExitCode()> (*attach)(const Options& options,
+                                              const Globals& globals) = nullptr;
 };
 
 }  // namespace obscura::app

@@ -160,18 +160,18 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_demo(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_demo(const Options& app, const Globals& globals) {
     auto options = std::make_shared<DemoOptions>();
-    app.add_option("study", options->study, "Study file, or name of a built-in study")
-        ->type_name("STUDY")
-        ->capture_default_str();
-    app.add_option("--out", options->out,
-                   "Folder of the demo, apart from that of real participants [DATA/demo]")
-        ->type_name("DIR");
-    app.add_option("--participants", options->participants, "Simulated observers")
-        ->type_name("N")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
+    app.add("study", options->study, "Study file, or name of a built-in study")
+        .type("STUDY")
+        .shows_default();
+    app.add("--out", options->out,
+            "Folder of the demo, apart from that of real participants [DATA/demo]")
+        .type("DIR");
+    app.add("--participants", options->participants, "Simulated observers")
+        .type("N")
+        .between(1, 100000)
+        .shows_default();
     app.footer(
         "Images that are there from the same inputs are kept; the store, tables and analysis of an "
         "earlier demo are replaced.");

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <random>
@@ -163,29 +164,27 @@ base::ExitCode export_answers(const ExportOptions& options, const Globals& globa
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_export(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_export(const Options& app, const Globals& globals) {
     auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> formats;
     for (const auto format : analysis::kExportFormats) formats.emplace_back(to_string(format));
-    app.add_option("--db", options->db,
-                   "Response store, sqlite3://FILE or postgresql://... "
-                   "[sqlite3://DATA/responses.sqlite]");
-    app.add_option("--out", options->out, "Folder for the files")->required();
-    app.add_option("--format", options->format,
-                   "Kind of files: csv, tsv, json (JSON Lines), bids or psych-ds")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
-    app.add_option("--study", options->studies,
-                   "Study file to add, one that the sessions began with; built-in ones are found "
-                   "without. Images and manifest are those of DATA/stimuli/STUDY")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add("--db", options->db,
+            "Response store, sqlite3://FILE or postgresql://... "
+            "[sqlite3://DATA/responses.sqlite]");
+    app.add("--out", options->out, "Folder for the files").required();
+    app.add("--format", options->format,
+            "Kind of files: csv, tsv, json (JSON Lines), bids or psych-ds")
+        .one_of(formats)
+        .shows_default();
+    app.add("--study", options->studies,
+            "Study file to add, one that the sessions began with; built-in ones are found "
+            "without. Images and manifest are those of DATA/stimuli/STUDY")
+        .repeatable();
     app.add_flag("--anonymous", options->anonymous,
                  "Leave out age, gender, times of day and place in the sequence, and number "
                  "participants anew in a shuffled order");
-    app.add_option("--seed", options->seed,
-                   "Seed of that order, so that it can be had again [drawn anew]")
-        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{9223372036854775807U}));
+    app.add("--seed", options->seed, "Seed of that order, so that it can be had again [drawn anew]")
+        .between(0, std::numeric_limits<std::int64_t>::max());
     app.add_flag("--force", options->force, "Replace an export and overwrite files that are there");
     return [options, &globals] { return export_answers(*options, globals); };
 }

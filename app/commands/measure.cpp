@@ -67,32 +67,30 @@ std::string names_of(const List& list) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::function<base::ExitCode()> attach_measure(CLI::App& app, const Globals& globals) {
+std::function<base::ExitCode()> attach_measure(const Options& app, const Globals& globals) {
     const auto options = std::make_shared<MeasureOptions>();
     MeasureRequest& request = options->request;
-    app.add_option("STUDY", request.study,
-                   "Study file or built-in study whose views are measured (default: jakobsen2010)");
-    app.add_option("--scene", request.scenes,
-                   "Built-in scenes in place of a study, each by all of its cameras");
-    app.add_option("--techniques", request.techniques,
-                   "Of " + names_of(renderer::techniques()) + " (default: all but the reference)")
-        ->delimiter(',');
-    app.add_option("--samples", request.samples,
-                   "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
-        ->delimiter(',');
-    app.add_option("--filters", request.filters,
-                   "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
-        ->delimiter(',');
-    app.add_option("--size", options->size,
-                   fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
-                               kUsualSize.height));
-    app.add_option(
-        "--rays", request.rays,
-        fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
-    app.add_option(
-        "--runs", request.runs,
-        fmt::format("Timed runs of each setting, after {} that are thrown away (default: {})",
-                    kDiscardedRuns, kUsualSize.runs));
+    app.add("STUDY", request.study,
+            "Study file or built-in study whose views are measured (default: jakobsen2010)");
+    app.add("--scene", request.scenes,
+            "Built-in scenes in place of a study, each by all of its cameras");
+    app.add("--techniques", request.techniques,
+            "Of " + names_of(renderer::techniques()) + " (default: all but the reference)")
+        .comma_separated();
+    app.add("--samples", request.samples,
+            "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
+        .comma_separated();
+    app.add("--filters", request.filters,
+            "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
+        .comma_separated();
+    app.add("--size", options->size,
+            fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
+                        kUsualSize.height));
+    app.add("--rays", request.rays,
+            fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
+    app.add("--runs", request.runs,
+            fmt::format("Timed runs of each setting, after {} that are thrown away (default: {})",
+                        kDiscardedRuns, kUsualSize.runs));
     app.add_flag(
         "--quick", request.quick,
         fmt::format("{}x{}, {} rays, {} runs, one filter, 8, 24 and 64 samples, each where "
@@ -102,16 +100,15 @@ std::function<base::ExitCode()> attach_measure(CLI::App& app, const Globals& glo
         "--fit", request.fit,
         "Also with the parameters that bring each technique nearest to the truth, found on "
         "other cameras");
-    app.add_option(
-        "--write-study", request.write_study,
-        "With --fit: write a copy of the study with the fitted values, checked, and with "
-        "its files named from where it is written");
+    app.add("--write-study", request.write_study,
+            "With --fit: write a copy of the study with the fitted values, checked, and with "
+            "its files named from where it is written");
     app.add_flag("--growth", request.growth,
                  "Instead: how the time of each technique grows with pixels and samples");
     app.add_flag("--hard-cases", request.hard_cases,
                  "Instead: numerical stability on hard cases, and every technique against its own "
                  "definition (exit code 3 where one fails without a reason)");
-    app.add_option("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
+    app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
     return [options, &globals] { return run(*options, globals); };
 }
 

@@ -196,16 +196,16 @@ base::ExitCode plan(const PlanOptions& options) {
 
 Command plan_command() {
     return {"plan", "Print who sees what, with proof of its balance",
-            [](CLI::App& options, const Globals&) -> std::function<base::ExitCode()> {
+            [](const Options& options, const Globals&) -> std::function<base::ExitCode()> {
                 auto chosen = std::make_shared<PlanOptions>();
-                options.add_option("STUDY", chosen->study,
-                                   "Study file, or the name of a built-in study; default: "
-                                   "jakobsen2010");
+                options.add("STUDY", chosen->study,
+                            "Study file, or the name of a built-in study; default: "
+                            "jakobsen2010");
                 options
-                    .add_option("--participants", chosen->participants,
-                                "How many participants complete the study")
-                    ->required()
-                    ->check(CLI::Range(1, kMostParticipants));
+                    .add("--participants", chosen->participants,
+                         "How many participants complete the study")
+                    .required()
+                    .between(1, kMostParticipants);
                 options.add_flag("--json", chosen->json, "Print JSON");
                 return [chosen] { return plan(*chosen); };
             }};

@@ -258,26 +258,25 @@ base::ExitCode power(const PowerOptions& options) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_power(CLI::App& app, const Globals&) {
+std::function<base::ExitCode()> attach_power(const Options& app, const Globals&) {
     auto options = std::make_shared<PowerOptions>();
-    app.add_option("--share", options->shares,
-                   "True shares of votes for the preferred image, 0 to 1, at least .001 from .5")
-        ->capture_default_str();
-    app.add_option("--level", options->level, "p below which a result is significant, 0 to 1")
-        ->capture_default_str();
-    app.add_option("--power", options->power, "Chance of a significant result, 0 to 1")
-        ->capture_default_str();
-    app.add_option("--conditions", options->conditions,
-                   "Conditions that are tested, corrected by Holm's method")
-        ->capture_default_str();
-    app.add_option("--participants", options->participants,
-                   "Say what power this number of participants has");
-    auto* curve = app.add_option("--curve", options->curve,
+    app.add("--share", options->shares,
+            "True shares of votes for the preferred image, 0 to 1, at least .001 from .5")
+        .shows_default();
+    app.add("--level", options->level, "p below which a result is significant, 0 to 1")
+        .shows_default();
+    app.add("--power", options->power, "Chance of a significant result, 0 to 1").shows_default();
+    app.add("--conditions", options->conditions,
+            "Conditions that are tested, corrected by Holm's method")
+        .shows_default();
+    app.add("--participants", options->participants,
+            "Say what power this number of participants has");
+    const Option curve = app.add("--curve", options->curve,
                                  "Power over numbers of participants, FROM:TO or FROM:TO:STEP");
-    auto* json = app.add_flag("--json", options->json, "Print JSON instead of tables");
+    const Option json = app.add_flag("--json", options->json, "Print JSON instead of tables");
     app.add_flag("--csv", options->csv, "Print the curve alone, as CSV")
-        ->needs(curve)
-        ->excludes(json);
+        .needs(curve)
+        .excludes({json});
     return [options] { return power(*options); };
 }
 

@@ -75,27 +75,26 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
 Command render_command() {
     return {
         "render", "Makes the stimulus images of a study and their manifest",
-        [](CLI::App& app, const Globals& globals) -> std::function<base::ExitCode()> {
+        [](const Options& app, const Globals& globals) -> std::function<base::ExitCode()> {
             const auto options = std::make_shared<RenderOptions>();
-            app.add_option("STUDY", options->study,
-                           "Study file or built-in study (default: jakobsen2010)");
-            app.add_option("--out", options->out,
-                           "Folder of the images (default: DATA/stimuli/STUDY)");
-            app.add_option("--pair", options->selection.pair, "Only this condition");
-            app.add_option("--shard", options->shard,
-                           "K/N: only part K of N, so that N jobs share the work");
-            auto* verify_flag = app.add_flag(
+            app.add("STUDY", options->study,
+                    "Study file or built-in study (default: jakobsen2010)");
+            app.add("--out", options->out, "Folder of the images (default: DATA/stimuli/STUDY)");
+            app.add("--pair", options->selection.pair, "Only this condition");
+            app.add("--shard", options->shard,
+                    "K/N: only part K of N, so that N jobs share the work");
+            const Option verify_flag = app.add_flag(
                 "--verify", options->verify,
                 "Render in memory, write nothing, and name the files that differ (exit code 3)");
             app.add_flag("--explain", options->explain,
                          "Render in memory, write nothing, and print each image's passes (ms), "
                          "buffers (bytes) and what was left out; then what each would "
                          "cost if nothing were left out")
-                ->excludes(verify_flag);
+                .excludes({verify_flag});
             app.add_flag("--aov", options->selection.buffers,
                          "Also write CONDITION-a.exr and -b.exr: depth (m), view-space normal, "
                          "albedo, accessibility and light, with the camera's matrices")
-                ->excludes(verify_flag);
+                .excludes({verify_flag});
             app.footer(
                 "A variant in a study file: { technique = NAME, samples = N, PARAMETER = NUMBER, "
                 "denoise = FILTER, SETTING = \"WORD\" }\n" +

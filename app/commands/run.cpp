@@ -52,20 +52,20 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_run(CLI::App& command, const Globals& globals) {
+std::function<base::ExitCode()> attach_run(const Options& command, const Globals& globals) {
     auto options = std::make_shared<RunOptions>();
-    command.add_option("study", options->study, "Study file, or name of a built-in study")
-        ->type_name("STUDY")
-        ->capture_default_str();
+    command.add("study", options->study, "Study file, or name of a built-in study")
+        .type("STUDY")
+        .shows_default();
     command
-        .add_option("--db", options->store_url,
-                    "Response store: sqlite3://FILE or postgresql://... (default: "
-                    "responses.sqlite in the data folder)")
-        ->type_name("URL");
-    command.add_option("--monitor", options->monitor, "Monitor to fill, from 0")
-        ->type_name("N")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+        .add("--db", options->store_url,
+             "Response store: sqlite3://FILE or postgresql://... (default: "
+             "responses.sqlite in the data folder)")
+        .type("URL");
+    command.add("--monitor", options->monitor, "Monitor to fill, from 0")
+        .type("N")
+        .between(0, 99)
+        .shows_default();
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
     command.footer(
         "The operator begins with the next participant by Ctrl+Shift+N and leaves with "

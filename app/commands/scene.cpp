@@ -87,35 +87,34 @@ base::ExitCode export_scene(const SceneOptions& options) {
     return base::ExitCode::kDone;
 }
 
-void add_scene_options(CLI::App& app, SceneOptions& options) {
-    app.add_option("SCENE", options.scene,
-                   "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
-        ->required();
-    app.add_option("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
-        ->capture_default_str();
+void add_scene_options(const Options& app, SceneOptions& options) {
+    app.add("SCENE", options.scene,
+            "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
+        .required();
+    app.add("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
+        .shows_default();
 }
 
-std::function<base::ExitCode()> attach_scene(CLI::App& app, const Globals&) {
+std::function<base::ExitCode()> attach_scene(const Options& app, const Globals&) {
     const auto options = std::make_shared<SceneOptions>();
     const auto chosen = std::make_shared<std::function<base::ExitCode()>>();
-    app.require_subcommand(1);
-    app.add_subcommand("list", "The built-in scenes: triangles, cameras, levels, what each needs")
-        ->callback([chosen] { *chosen = list_scenes; });
+    app.require_command();
+    app.add_command("list", "The built-in scenes: triangles, cameras, levels, what each needs")
+        .when_given([chosen] { *chosen = list_scenes; });
 
-    CLI::App* inspector = app.add_subcommand(
+    const Options inspector = app.add_command(
         "inspect", "What a scene holds, what of it is not shown, and what each level allocates");
-    add_scene_options(*inspector, *options);
-    inspector->add_option("--technique", options->technique, "Technique of the planned image")
-        ->capture_default_str();
-    inspector->add_option("--size", options->size, "Of the planned image, WxH in pixels")
-        ->capture_default_str();
-    inspector->callback([chosen, options] { *chosen = [options] { return inspect(*options); }; });
+    add_scene_options(inspector, *options);
+    inspector.add("--technique", options->technique, "Technique of the planned image")
+        .shows_default();
+    inspector.add("--size", options->size, "Of the planned image, WxH in pixels").shows_default();
+    inspector.when_given([chosen, options] { *chosen = [options] { return inspect(*options); }; });
 
-    CLI::App* exporter = app.add_subcommand(
-        "export", "Write a scene with its cameras and lights as binary glTF 2.0");
-    add_scene_options(*exporter, *options);
-    exporter->add_option("--out", options->out, "File to write, ends in .glb")->required();
-    exporter->callback(
+    const Options exporter =
+        app.add_command("export", "Write a scene with its cameras and lights as binary glTF 2.0");
+    add_scene_options(exporter, *options);
+    exporter.add("--out", options->out, "File to write, ends in .glb").required();
+    exporter.when_given(
         [chosen, options] { *chosen = [options] { return export_scene(*options); }; });
     return [chosen] { return (*chosen)(); };
 }

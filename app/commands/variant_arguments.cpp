@@ -35,14 +35,13 @@ bool has_an_option_of_its_own(const std::string& key) {
 
 }  // namespace
 
-void add_variant_options(CLI::App& app, VariantArguments& arguments) {
-    app.add_option("--technique", arguments.technique, "See below");
-    app.add_option("--samples", arguments.samples,
-                   "Samples, or rays, a pixel (default: the technique's)");
-    app.add_option("--set", arguments.settings,
-                   "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
-        ->allow_extra_args(false);
-    app.add_option("--denoise", arguments.denoise, "Filter")->capture_default_str();
+void add_variant_options(const Options& app, VariantArguments& arguments) {
+    app.add("--technique", arguments.technique, "See below");
+    app.add("--samples", arguments.samples, "Samples, or rays, a pixel (default: the technique's)");
+    app.add("--set", arguments.settings,
+            "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
+        .repeatable();
+    app.add("--denoise", arguments.denoise, "Filter").shows_default();
 }
 
 renderer::Variant variant_from(const VariantArguments& arguments) {

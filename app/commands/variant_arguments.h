@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/commands/options.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::app {
@@ -20,7 +20,7 @@ struct VariantArguments {
 };
 
 /// --technique, --samples, --set and --denoise.
-void add_variant_options(CLI::App& app, VariantArguments& arguments);
+void add_variant_options(const Options& app, VariantArguments& arguments);
 
 /// Throws bad input naming every option that is wrong, with its value and what is allowed.
 [[nodiscard]] renderer::Variant variant_from(const VariantArguments& arguments);

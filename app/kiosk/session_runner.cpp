@@ -135,7 +135,9 @@ bool SessionRunner::save() {
 std::optional<std::string> SessionRunner::flush(bool& covered) {
     if (journal_.waiting().empty()) {
         // A store that is gone is noticed before the next page, not in the middle of a pair.
-        const bool page_due = procedure_.request() != presented_ && !is_still(procedure_.screen());
+        const bool in_a_pair =
+            is_still(procedure_.screen()) && procedure_.screen() != Screen::kFirstImage;
+        const bool page_due = procedure_.request() != presented_ && !in_a_pair;
         return page_due ? journal_.flush() : std::nullopt;
     }
     bool page_shown = false;

@@ -18,3 +18,9 @@ function(obscura_unity target)
     set_target_properties(${target} PROPERTIES
         UNITY_BUILD ${OBSCURA_UNITY} UNITY_BUILD_MODE GROUP)
 endfunction()
+
+# obscura_seldom_hot(TARGET): waits for people, files or the GPU, and compiles half as long for
+# being a little slower.
+function(obscura_seldom_hot target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+endfunction()

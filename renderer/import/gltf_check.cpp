@@ -245,7 +245,7 @@ std::optional<std::string> GltfFile::bytes_of_data_uri(std::string_view uri) {
                                         reinterpret_cast<const unsigned char*>(text.data()),
                                         static_cast<int>(text.size()));
     if (decoded < 0) return std::nullopt;
-    bytes.resize(bytes.size() - padding);
+    bytes.erase(bytes.size() - padding);
     return bytes;
 }
 

@@ -34,16 +34,12 @@ class CommandsTest : public testing::Test {
     [[nodiscard]] Ending run(const Command& command, std::vector<std::string> arguments) const {
         Globals globals;
         globals.data = folder.path();
-        CLI::App app;
+        CommandLine line("", command.name, "");
         Ending ending;
         testing::internal::CaptureStdout();
         try {
-            const auto act = command.attach(app, globals);
-            std::reverse(arguments.begin(), arguments.end());
-            app.parse(arguments);
-            ending.code = act();
-        } catch (const CLI::ParseError& error) {
-            ending = {ExitCode::kBadInput, "", error.what()};
+            const auto act = command.attach(line.options(), globals);
+            if (line.parse(arguments)) ending.code = act();
         } catch (const base::Error& error) {
             ending = {error.code(), "", error.what()};
         }

@@ -116,6 +116,13 @@ TEST(KioskDisturbed, AStoreThatIsMovedAwayIsNoticedBeforeTheNextPageAndUsedAgain
     std::filesystem::rename(shown.data / "elsewhere.sqlite", store);
     visitor.turn("Return");  // tries again
     visitor.turn("Return");  // the operator stays
+    const int complaints = visitor.times_said("cannot save");
+    std::filesystem::rename(store, shown.data / "elsewhere.sqlite");
+    visitor.press_until("Return", "a complaint instead of the first image",
+                        [&] { return visitor.times_said("cannot save") > complaints; });
+    visitor.settle();
+    EXPECT_TRUE(visitor.sees_page());
+    std::filesystem::rename(shown.data / "elsewhere.sqlite", store);
     visitor.answer_pair("1", 1);
     visitor.answer_pair("2", 2);
     visitor.leave();
