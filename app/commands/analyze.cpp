@@ -173,12 +173,12 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
                  "Also ask whether the preference depends on ecological validity, as the built-in "
                  "study does: the same two variants in the same scene at two levels; corrected "
                  "together with the hypotheses");
-    auto* model = app.add_flag(
+    const Option model = app.add_flag(
         "--model", options->model,
         fmt::format("Check each verdict by a logistic model with an intercept for each participant "
                     "[unasked for up to {} answers]",
                     analysis::kMostModelled));
-    app.add_flag("--no-model", options->no_model, "Leave that out")->excludes(model);
+    app.add_flag("--no-model", options->no_model, "Leave that out").excludes({model});
     app.add_flag("--json", options->json, "Print JSON instead of a table");
     const Option out = app.add("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
