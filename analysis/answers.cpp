@@ -36,7 +36,8 @@ void AnswerTable::add(const SessionRecord& session) {
     session_places_.emplace(name, static_cast<std::uint32_t>(sessions.size()));
     sessions.push_back({name, names.number_of(session.participant_id),
                         names.number_of(session.study), names.number_of(session.exclusion),
-                        session.kind, session.state, names.number_of(session.study_sha256)});
+                        session.kind, session.state, names.number_of(session.study_sha256),
+                        names.number_of(session.study_plan)});
 }
 
 void AnswerTable::add(const TrialRecord& trial) {

@@ -49,6 +49,7 @@ struct SessionEntry {
     Kind kind = Kind::kParticipant;
     SessionState state = SessionState::kOpen;
     std::uint32_t study_sha256 = 0;  ///< of the study's file; 0: not known
+    std::uint32_t study_plan = 0;    ///< SessionRecord::study_plan
 };
 
 /// What a condition showed; texts are numbers in AnswerTable::names.

@@ -78,6 +78,8 @@ class Counter {
         tally_.study = table_.names[study_];
         number_participants();
         read_rule();
+        read_plan();
+        name_study_files();
         reserve();
         for (const AnswerEntry& answer : table_.answers) take(answer);
         compare_repeats();
@@ -135,6 +137,34 @@ class Counter {
             tally_.exclusion = Possible<ExclusionRule>::none("the study has no rule");
         } else {
             tally_.exclusion = exclusion_rule(table_.names[rule], table_.source);
+            tally_.exclusion_text = table_.names[rule];
+        }
+    }
+
+    void name_study_files() {
+        std::set<std::uint32_t> files;
+        for (const SessionEntry& session : table_.sessions) {
+            if (is_chosen(session) && session.study_sha256 != 0) files.insert(session.study_sha256);
+        }
+        for (const std::uint32_t file : files) tally_.study_files.push_back(table_.names[file]);
+    }
+
+    void read_plan() {
+        std::uint32_t plan = kNone;
+        for (const SessionEntry& session : table_.sessions) {
+            if (!is_chosen(session) || session.study_plan == plan) continue;
+            if (plan != kNone) {
+                tally_.plan = Possible<StudyPlan>::none(
+                    "the sessions carry different plans, so that none was fixed for all of them");
+                return;
+            }
+            plan = session.study_plan;
+        }
+        if (plan == 0) {
+            tally_.plan = Possible<StudyPlan>::none("the sessions carry no plan");
+        } else {
+            tally_.plan = study_plan(table_.names[plan], table_.source);
+            tally_.plan_text = table_.names[plan];
         }
     }
 
@@ -343,6 +373,8 @@ Tally without(const Tally& tally, const std::vector<bool>& left_out) {
     kept.kind = tally.kind;
     kept.participants = tally.participants;
     kept.exclusion = tally.exclusion;
+    kept.plan = tally.plan;
+    kept.looks_before = tally.looks_before;
     kept.asks_validity = tally.asks_validity;
     kept.n_participants = std::count(left_out.begin(), left_out.end(), false);
     OrderVotes order;

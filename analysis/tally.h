@@ -11,6 +11,7 @@
 #include "analysis/exclusion.h"
 #include "analysis/statistics/possible.h"
 #include "analysis/store/records.h"
+#include "analysis/study_plan.h"
 
 namespace obscura::analysis {
 
@@ -71,6 +72,13 @@ struct Tally {
     bool asks_validity = false;
     /// The rule that all sessions carry.
     Possible<ExclusionRule> exclusion = Possible<ExclusionRule>::none("counts carry no rule");
+    /// What all sessions carry that the study fixed before it had data.
+    Possible<StudyPlan> plan = Possible<StudyPlan>::none("counts carry no plan");
+    std::string plan_text;       ///< what all sessions carry as study_plan; empty: nothing alike
+    std::string exclusion_text;  ///< the same of their rule of exclusion
+    std::vector<std::string> study_files = {};  ///< SHA-256 of the sessions' study files, if known
+    /// Participants at earlier looks at these answers, as far as somebody remembers them.
+    std::vector<std::int64_t> looks_before = {};
     std::vector<std::string> notes;  ///< what the reader of a file passed over or took for granted
 };
 
@@ -80,7 +88,8 @@ struct Tally {
 /// in that of participants and trials: the order of rows says nothing. Throws bad input when no
 /// such session is there (saying what there is instead), when several studies are there and none is
 /// named, when a condition has not the same variants, validity or hypothesis in all sessions, when
-/// a trial repeats a condition with other variants, and for a rule of exclusion that is none.
+/// a trial repeats a condition with other variants, and for a rule of exclusion or plan that is
+/// none.
 [[nodiscard]] Tally tally_of(const AnswerTable& table, const std::string& study, Kind kind);
 
 /// The same of records.

@@ -61,6 +61,7 @@ const std::array<KnownColumn, kColumnCount>& known_columns() {
         {"expected", {}, {}},
         {"repeats", {}, {}},
         {"exclusion", {}, {}},
+        {"study_plan", {}, {}},
     }};
     return columns;
 }

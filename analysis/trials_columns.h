@@ -36,6 +36,7 @@ enum TrialsColumn : std::size_t {
     kExpected,
     kRepeats,
     kExclusion,
+    kStudyPlan,
     kColumnCount
 };
 

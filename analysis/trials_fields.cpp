@@ -30,7 +30,7 @@ std::uint32_t TrialFields::number_of(const CsvRow& row, TrialsColumn column) {
 }
 
 void TrialFields::check_name(const CsvRow& row, TrialsColumn column, std::string_view text) {
-    constexpr std::size_t kLongestName = 1000;
+    const std::size_t kLongestName = column == kStudyPlan ? 100'000 : 1000;
     if (std::any_of(text.begin(), text.end(), is_control)) {
         report(row, column, text, "is text without control characters");
     } else if (text.size() > kLongestName) {

@@ -3,11 +3,13 @@
 #include "analysis/trials_file.h"
 
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "analysis/direction.h"
 #include "analysis/exclusion.h"
+#include "analysis/study_plan.h"
 #include "analysis/table/table.h"
 #include "analysis/table/values.h"
 #include "analysis/trials_choice.h"
@@ -101,7 +103,28 @@ class TrialsReader {
         passed_over(unanswered_, "without an answer");
         const auto repeats = repeats_.notes(table_);
         notes.insert(notes.end(), repeats.begin(), repeats.end());
+        note_one_variant();
         note_slow_answers();
+    }
+
+    /// Where a pair is of one name twice, nothing says which of them is A.
+    void note_one_variant() {
+        std::set<std::string> ids;
+        for (const AnswerEntry& answer : table_.answers) {
+            const ConditionEntry& condition = table_.conditions[answer.condition];
+            const bool is_vote =
+                answer.kind == Kind::kParticipant || answer.kind == Kind::kSimulated;
+            if (is_vote && condition.variant_a == condition.variant_b) {
+                ids.insert(table_.names[condition.id]);
+            }
+        }
+        for (const std::string& id : ids) {
+            table_.notes.push_back(fmt::format(
+                "condition {} compares two variants of one name: which of them is A is what each "
+                "row says, and rows that name them the other way round cannot be told; name them "
+                "apart",
+                id));
+        }
     }
 
     /// Milliseconds taken for seconds are a thousand times too long.
@@ -155,16 +178,18 @@ class TrialsReader {
         const auto [place, is_new] = session_.emplace(pair_of(observer, name), number);
         answer.session = place->second;
         if (is_new) {
-            table_.sessions.push_back({name == 0 ? observer : name, observer,
-                                       fields_->number_of(row, kStudy),
-                                       fields_->number_of(row, kExclusion), Kind::kParticipant,
-                                       SessionState::kCompleted});
+            table_.sessions.push_back(
+                {name == 0 ? observer : name, observer, fields_->number_of(row, kStudy),
+                 fields_->number_of(row, kExclusion), Kind::kParticipant, SessionState::kCompleted,
+                 0, fields_->number_of(row, kStudyPlan)});
             has_kind_.push_back(false);
-            check_exclusion(row);
+            check_rule(row, kExclusion, exclusion_problem);
+            check_rule(row, kStudyPlan, study_plan_problem);
         }
         SessionEntry& session = table_.sessions[answer.session];
         same_in_session(row, kStudy, session.study);
         same_in_session(row, kExclusion, session.exclusion);
+        same_in_session(row, kStudyPlan, session.study_plan);
         read_session_state(row, session, is_new);
         if (answer.kind != Kind::kParticipant && answer.kind != Kind::kSimulated) return;
         if (has_kind_[answer.session] && session.kind != answer.kind) {
@@ -176,11 +201,10 @@ class TrialsReader {
         has_kind_[answer.session] = true;
     }
 
-    void check_exclusion(const CsvRow& row) {
-        const std::string_view text = fields_->field(row, kExclusion);
-        if (const auto why = exclusion_problem(text); why) {
-            fields_->report(row, kExclusion, text, *why);
-        }
+    template <typename Problem>
+    void check_rule(const CsvRow& row, TrialsColumn column, const Problem& problem_of) {
+        const std::string_view text = fields_->field(row, column);
+        if (const auto why = problem_of(text); why) fields_->report(row, column, text, *why);
     }
 
     void same_in_session(const CsvRow& row, TrialsColumn column, std::uint32_t before) {

@@ -19,7 +19,8 @@ namespace obscura::analysis {
 /// - session_id, scene, and order: AB or BA (A or B) for what was shown first, or the number of the
 ///   trial in its session; response_time in s or response_time_ms, empty where unknown;
 /// - every column of the exported trials.csv: condition, hypothesis, validity, first_shown,
-///   response, trial_index, kind, study, study_A, session_state, expected, repeats and exclusion.
+///   response, trial_index, kind, study, study_A, session_state, expected, repeats, exclusion and
+///   study_plan.
 /// `map` says what the file calls them. All others are passed over and named in AnswerTable::notes.
 /// Rows without both variants (an instruction, a break) and rows without an answer are passed over
 /// and counted there; rows that are equal and repeated votes are named there.

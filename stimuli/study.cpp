@@ -47,6 +47,33 @@ const StudyScene& Study::scene_of(const Condition& condition) const {
     return *found;
 }
 
+std::string Study::plan_json() const {
+    nlohmann::ordered_json json;
+    for (const Hypothesis& hypothesis : hypotheses) {
+        const bool is_preference = hypothesis.kind == HypothesisKind::kPreference;
+        nlohmann::ordered_json entry = {{"id", hypothesis.id},
+                                        {"statement", hypothesis.statement},
+                                        {"kind", to_string(hypothesis.kind)}};
+        if (is_preference) {
+            entry["conditions"] = hypothesis.conditions;
+        } else {
+            entry["pairs"] = hypothesis.pairs;
+        }
+        entry["margin"] = hypothesis.margin;
+        entry["role"] = to_string(hypothesis.role);
+        json["hypotheses"].push_back(std::move(entry));
+    }
+    if (!stopping.looks.empty()) {
+        json["stopping"] = {{"looks", stopping.looks}, {"spending", stopping.spending}};
+    }
+    if (sides != SideOrder::kSession) json["sides"] = to_string(sides);
+    return json.empty() ? "" : json.dump();
+}
+
+SessionOrder Study::session_order(std::uint64_t slot) const {
+    return stimuli::session_order(order, static_cast<int>(conditions.size()), seed, slot, sides);
+}
+
 renderer::FrameOptions Study::frame_options() const {
     return {.supersampling = supersampling, .occluding_opacity = occluding_opacity};
 }

@@ -13,6 +13,7 @@
 #include "renderer/frame/plan.h"
 #include "renderer/import/import.h"
 #include "renderer/technique/technique.h"
+#include "stimuli/hypothesis.h"
 #include "stimuli/order/order.h"
 #include "stimuli/scenes/scene_settings.h"
 #include "stimuli/scenes/validity.h"
@@ -46,8 +47,10 @@ enum class SceneFiles {
 /// One stimulus pair.
 struct Condition {
     std::string id;
-    std::string scene;       ///< id of a StudyScene
-    std::string hypothesis;  ///< H1, H2, ...; may be empty
+    std::string scene;  ///< id of a StudyScene
+    /// H1, H2, ...; may be empty. Where the study has hypotheses a label only: they say themselves
+    /// which conditions they take.
+    std::string hypothesis;
     renderer::Variant a;
     renderer::Variant b;
     char expected =
@@ -66,6 +69,15 @@ struct ExclusionRule {
     /// As a JSON object with the members' names; empty text where nothing is asked.
     [[nodiscard]] std::string to_json() const;
 };
+
+/// When a study looks at its answers, fixed before there are data.
+struct StoppingRule {
+    std::vector<int> looks;         ///< participants at each, rising; empty: it is not fixed
+    std::string spending = "none";  ///< one of kSpendings; none for one look only
+};
+
+/// How the level may be shared out over looks.
+inline constexpr std::array kSpendings{"none", "obrien-fleming", "pocock"};
 
 /// A text of a study file that a participant may read.
 struct ShownText {
@@ -93,10 +105,13 @@ struct Study {
     std::vector<std::string> advance = {"space"};
     bool pointer = false;  ///< a click or touch anywhere does too
     OrderKind order = OrderKind::kLatinSquare;
+    SideOrder sides = SideOrder::kSession;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
     std::vector<Condition> conditions;
+    std::vector<Hypothesis> hypotheses;  ///< the family; empty: the labels of the conditions are it
     ExclusionRule exclusion;
+    StoppingRule stopping;
     std::vector<ShownText> shown_texts;  ///< title, question, instructions, thanks, as far as given
     std::string sha256;                  ///< of the file's bytes
     std::filesystem::path folder;        ///< of the file; what its paths are relative to
@@ -104,6 +119,12 @@ struct Study {
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
     /// How every image of the study is rendered, whoever asks for it.
     [[nodiscard]] renderer::FrameOptions frame_options() const;
+    /// What the participant of that slot sees.
+    [[nodiscard]] SessionOrder session_order(std::uint64_t slot) const;
+    /// What the study fixes before it has data, but the rule of exclusion, as a JSON object:
+    /// `hypotheses` with the members of Hypothesis, `stopping` with those of StoppingRule, and
+    /// `sides` where they are of a trial. Empty text where it fixes nothing.
+    [[nodiscard]] std::string plan_json() const;
     /// The condition of that id, or nullptr.
     [[nodiscard]] const Condition* find_condition(std::string_view id) const;
 };

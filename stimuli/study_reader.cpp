@@ -11,6 +11,7 @@
 #include "renderer/base/hash.h"
 #include "renderer/frame/plan.h"
 #include "stimuli/attention_reader.h"
+#include "stimuli/hypothesis_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_format.h"
@@ -142,6 +143,8 @@ void read_study_table(const toml::table& table, Study& study, Problems& problems
     read_advance(reader, study);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);
+    const auto sides = reader.choice("sides", Need::kOptional, names_of(kSideOrders));
+    if (sides) study.sides = *side_order_from(*sides);
     study.seed = static_cast<std::uint64_t>(
         reader.integer("seed", Need::kRequired, 0, std::numeric_limits<std::int64_t>::max())
             .value_or(0));
@@ -265,8 +268,18 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     const toml::node* array = root.get("condition");
     if (array == nullptr || array->is_array()) check_condition_count(study, conditions, problems);
     resolve_repeats(study, conditions, problems);
+    seen.clear();
+    const auto hypotheses = read_entries(reader, "hypothesis");
+    for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+        TableReader entry(*hypotheses[i], name_of_entry(*hypotheses[i], "hypothesis", i), problems);
+        study.hypotheses.push_back(read_hypothesis(entry, read_id(entry, "id"), study));
+        refuse_second(entry, study.hypotheses.back().id, seen);
+    }
+    settle_hypotheses(study, conditions, hypotheses, problems);
     const toml::table* exclusion = reader.table("exclusion", Need::kOptional);
     if (exclusion != nullptr) read_exclusion(*exclusion, study, problems);
+    const toml::table* stopping = reader.table("stopping", Need::kOptional);
+    if (stopping != nullptr) read_stopping(*stopping, study, problems);
     reader.finish();
 }
 

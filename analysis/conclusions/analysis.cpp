@@ -98,9 +98,10 @@ Analysis analyse_all(Tally tally, const AnalysisOptions& options) {
     if (is_published_votes(analysis.tally)) add_published_views(analysis.tally);
     analysis.conditions = test_conditions(analysis.tally);
     analysis.sentence = sentence_of(analysis.conditions);
-    analysis.hypotheses =
-        test_hypotheses(analysis.conditions, secondary_conditions(analysis.tally));
-    analysis.validity = test_validity(analysis.tally);
+    analysis.family = family_of(analysis.tally);
+    analysis.look = look_of(analysis.tally);
+    analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
+    analysis.validity = test_validity(analysis.tally, analysis.family);
     analysis.scales = variant_scales(analysis.tally);
     const Possible<OrderVotes>& order = analysis.tally.order;
     if (order.has_value()) {
@@ -120,7 +121,7 @@ Analysis analyse_all(Tally tally, const AnalysisOptions& options) {
     infer_pooled_shares(analysis.hypotheses, analysis.tally);
     analysis.has_model = options.model && !analysis.tally.participants.empty();
     if (analysis.has_model) check_by_model(analysis);
-    analysis.power = run_power(analysis.conditions, analysis.hypotheses);
+    analysis.power = run_power(analysis.conditions);
     analysis.verdicts = verdicts_of(analysis);
     return analysis;
 }
@@ -133,7 +134,32 @@ std::vector<bool> left_out_by(const Attention& attention) {
     return left_out;
 }
 
+/// What verdicts rest on, of all who are in the tally.
+std::vector<Verdict> verdicts_of_all(Tally tally) {
+    Analysis analysis;
+    analysis.tally = std::move(tally);
+    for (const ConditionVotes& condition : analysis.tally.conditions) {
+        ConditionResult& result = analysis.conditions.emplace_back();
+        result.condition = {condition.id,        condition.hypothesis, condition.validity,
+                            condition.variant_a, condition.variant_b,  condition.votes,
+                            condition.view};
+    }
+    analysis.family = family_of(analysis.tally);
+    analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
+    analysis.validity = test_validity(analysis.tally, analysis.family);
+    infer_pooled_shares(analysis.hypotheses, analysis.tally, PooledParts::kVerdict);
+    return verdicts_of(analysis);
+}
+
 }  // namespace
+
+std::vector<Verdict> verdicts_on(Tally tally) {
+    if (tally.exclusion.has_value() && !tally.participants.empty()) {
+        const Attention attention = attention_of(tally, VotesByParticipant(tally));
+        return verdicts_of_all(without(tally, left_out_by(attention)));
+    }
+    return verdicts_of_all(std::move(tally));
+}
 
 Analysis analyse(Tally tally, const AnalysisOptions& options) {
     Analysis everybody = analyse_all(std::move(tally), options);

@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/conclusions/family.h"
+#include "analysis/conclusions/looks.h"
+#include "analysis/registration.h"
 #include "analysis/statistics/bayes_factor.h"
 #include "analysis/statistics/chi_square.h"
 #include "analysis/statistics/mcnemar.h"
@@ -26,6 +29,10 @@ namespace obscura::analysis {
 /// The level below which a p-value is called significant, as in Jakobsen 2010.
 inline constexpr double kSignificance = 0.05;
 inline constexpr double kConfidence = 0.95;
+
+/// A difference of shares that a study is taken to care about, where it fixes no margin: from one
+/// half to kRelevantShare, or between two levels of validity.
+inline constexpr double kRelevantDifference = .15;
 
 /// Is one of two images preferred? Every test of one set of votes.
 struct Preference {
@@ -101,11 +108,15 @@ struct ModelCheck {
     Possible<ChiSquareTest> conditions_differ = Possible<ChiSquareTest>::none("one condition");
 };
 
-/// A hypothesis that conditions name: their votes together.
+/// A hypothesis on a preference: the votes of its conditions together.
 struct HypothesisResult {
     std::string name;
+    std::string statement;  ///< may be empty
+    double margin = kRelevantDifference;
+    bool is_primary = true;
     std::vector<std::string> conditions;
-    std::vector<std::string> secondary;  ///< conditions that name it and are no part of its test
+    std::vector<std::string> secondary;   ///< conditions that name it and are no part of its test
+    std::vector<std::string> unanswered;  ///< conditions that it takes and nobody saw
     /// No value, with the reason, where "B" is not the same thing in each condition. There is then
     /// nothing pooled.
     Possible<Pooling> pooling = Possible<Pooling>::none("no conditions");
@@ -209,9 +220,14 @@ struct Comparison {
 /// Does the preference depend on ecological validity? Like is compared with like: the same two
 /// variants, seen in the same scene by the same camera at two levels or more.
 struct ValidityResult {
-    std::string name;  ///< of the question: H3 in the built-in study, else kValidityQuestion
-    /// One for each two variants where one scene shows them, once at each level; else one for every
-    /// two levels, over the scenes that show both.
+    std::string name;       ///< of the question: the hypothesis's, else kValidityQuestion
+    std::string statement;  ///< may be empty
+    double margin = kRelevantDifference;
+    bool is_primary = true;
+    std::size_t planned = 0;  ///< comparisons that the study fixed; 0: it fixed none
+    /// One for each pair that the study fixed; where it fixed none, one for each two variants where
+    /// one scene shows them, once at each level; else one for every two levels, over the scenes
+    /// that show both.
     std::vector<Comparison> by_level;
     /// Of each comparison over more than two conditions, every two of a scene, up to
     /// kMostPairedConditions conditions.
@@ -342,7 +358,9 @@ inline constexpr double kRelevantShare = .65;
 /// The power that is asked for.
 inline constexpr double kAskedPower = .8;
 
-/// What the number of votes that a condition got could show.
+/// What the number of votes that a condition got could show, whatever they were: at the share that
+/// was observed, power would say nothing that the p-value does not (J. M. Hoenig and D. M. Heisey
+/// 2001).
 struct RunPower {
     struct At {
         double share = 0.0;
@@ -351,21 +369,12 @@ struct RunPower {
         TestPower
             holm;  ///< exact, at the level that passes Holm's correction whatever the others do
     };
-    /// Participants who would have been needed for kAskedPower at the share that was observed.
-    struct Needed {
-        std::string name;  ///< of the condition or hypothesis
-        double share_b = 0.0;
-        Possible<std::int64_t> exact = Possible<std::int64_t>::none("not known");
-        Possible<std::int64_t> holm = Possible<std::int64_t>::none("not known");
-    };
     std::int64_t n = 0;      ///< votes of a condition: the median over those that have any
     std::size_t tests = 1;   ///< conditions that are tested
     std::vector<At> shares;  ///< as kPowerShares
     /// The smallest share that n votes detect with kAskedPower.
     Possible<double> detectable = Possible<double>::none("no share");
     Possible<double> detectable_holm = Possible<double>::none("no share");
-    std::vector<Needed> conditions;
-    std::vector<Needed> hypotheses;  ///< for the pooled share, one vote a participant
 };
 
 /// What the answers say about a hypothesis.
@@ -373,11 +382,14 @@ enum class Conclusion { kUndecided, kBPreferred, kAPreferred, kEqual, kDiffers, 
 
 /// `undecided`, `B preferred over A`, `A preferred over B`, `practically equal (within 15 points)`;
 /// on validity `the effect differs with lighting`, `equal within 15 points`; `not tested`.
-[[nodiscard]] std::string to_string(Conclusion conclusion);
+[[nodiscard]] std::string to_string(Conclusion conclusion, double margin);
 
 struct Verdict {
     std::string hypothesis;
+    std::string statement;  ///< may be empty
     bool is_on_validity = false;
+    bool is_primary = true;               ///< secondary: p alone decides, and nothing is corrected
+    double margin = kRelevantDifference;  ///< the smallest effect that matters
     Conclusion conclusion = Conclusion::kNotTested;
     /// There is a preference, or the effect differs, and by less than a study is taken to care
     /// about.
@@ -385,7 +397,7 @@ struct Verdict {
     std::string direction;  ///< where the effect differs: `B more often at high than at moderate`
     /// Of the test that the verdict rests on; of validity, of the comparison with the smallest.
     Possible<PValue> p = Possible<PValue>::none("no votes");
-    /// After Holm's correction over the tests of all verdicts.
+    /// After Holm's correction over the tests of all primary hypotheses.
     Possible<double> p_holm = Possible<double>::none("no votes");
     std::size_t tests = 0;  ///< that were corrected together
     /// 95 %, of the share of B; of validity, of the difference that may be largest.
@@ -401,10 +413,6 @@ struct Verdict {
 /// The confidence of intervals that lie within a margin just where two one-sided tests at
 /// kSignificance say so.
 inline constexpr double kEqualityConfidence = 1.0 - 2.0 * kSignificance;
-
-/// A difference between two levels of validity that a study is taken to care about: as from one
-/// half to kRelevantShare.
-inline constexpr double kRelevantDifference = .15;
 
 /// How verdicts are reached, in words.
 [[nodiscard]] std::string verdict_rule();
@@ -425,8 +433,11 @@ struct Exclusions {
 struct Analysis {
     Tally tally;
     std::vector<ConditionResult> conditions;
-    std::string sentence;                      ///< what the conditions say, before and after Holm
-    std::vector<HypothesisResult> hypotheses;  ///< in order of their names
+    std::string sentence;  ///< what the conditions say, before and after Holm
+    Family family;
+    /// Which look at the answers this is; verdicts are at that look.
+    Possible<LookResult> look = Possible<LookResult>::none("not known");
+    std::vector<HypothesisResult> hypotheses;  ///< those on a preference, as in the family
     Possible<ValidityResult> validity = Possible<ValidityResult>::none("not asked");
     Possible<OrderBias> order_bias = Possible<OrderBias>::none("not counted");
     std::vector<VariantScale> scales;  ///< one for each group that pairs connect, with votes
@@ -439,7 +450,13 @@ struct Analysis {
     /// What the study's rule does. The analysis is of those who stay.
     Possible<Exclusions> exclusions = Possible<Exclusions>::none("no rule");
     bool has_model = false;  ///< whether mixed models were asked for
+    /// What came of a pre-registration, where one was given to compare with.
+    Possible<RegistrationResult> registration =
+        Possible<RegistrationResult>::none("no pre-registration was given");
 };
+
+/// The seed of what is simulated for an analysis: what its looks do to 5 %.
+inline constexpr std::uint64_t kAnalysisSeed = 20100501;
 
 struct AnalysisOptions {
     /// Whether each verdict is checked by a mixed model: some 10 s for a million answers.
@@ -449,5 +466,9 @@ struct AnalysisOptions {
 /// Linear in the votes. Where the sessions carry a rule of exclusion, the analysis is of the
 /// participants whom it leaves in, and Exclusions::everybody that of all.
 [[nodiscard]] Analysis analyse(Tally tally, const AnalysisOptions& options = {});
+
+/// The verdicts of that analysis alone, without what none of them rests on: for simulations, which
+/// ask it thousands of times.
+[[nodiscard]] std::vector<Verdict> verdicts_on(Tally tally);
 
 }  // namespace obscura::analysis

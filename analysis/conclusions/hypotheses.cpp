@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "analysis/conclusions/pooling.h"
 #include "analysis/conclusions/words.h"
@@ -67,26 +66,28 @@ Votes turned(const Votes& votes, bool is_turned) {
     return is_turned ? Votes{votes.b, votes.a} : votes;
 }
 
-HypothesisResult tested(const std::string& name, const std::vector<const ConditionResult*>& own,
-                        const std::vector<std::string>& secondary, std::size_t tests) {
+HypothesisResult tested(const PlannedHypothesis& planned, const std::vector<ConditionResult>& all) {
     HypothesisResult result;
-    result.name = name;
+    result.name = planned.id;
+    result.statement = planned.statement;
+    result.margin = planned.margin;
+    result.is_primary = planned.is_primary;
+    result.unanswered = planned.conditions;
     std::vector<const ConditionVotes*> conditions;
-    for (const ConditionResult* condition : own) {
-        const std::string& id = condition->condition.id;
-        if (own.size() > 1 &&
-            std::find(secondary.begin(), secondary.end(), id) != secondary.end()) {
-            result.secondary.push_back(id);
+    for (const ConditionResult& condition : all) {
+        const std::string& id = condition.condition.id;
+        if (std::erase(result.unanswered, id) == 0) {
+            if (condition.condition.hypothesis == planned.id) result.secondary.push_back(id);
             continue;
         }
-        conditions.push_back(&condition->condition);
-        result.conditions.push_back(condition->condition.id);
-        if (is_significant(condition->preference.exact)) ++result.significant;
-        if (condition->p_holm.has_value() && *condition->p_holm < kSignificance) {
+        conditions.push_back(&condition.condition);
+        result.conditions.push_back(id);
+        if (is_significant(condition.preference.exact)) ++result.significant;
+        if (condition.p_holm.has_value() && *condition.p_holm < kSignificance) {
             ++result.significant_holm;
         }
     }
-    result.pooling = pooling_of(conditions);
+    if (!conditions.empty()) result.pooling = pooling_of(conditions);
     if (result.pooling.has_value()) {
         Votes sum;
         for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -104,7 +105,7 @@ HypothesisResult tested(const std::string& name, const std::vector<const Conditi
         result.interval = Possible<ShareInterval>::none(result.pooling.reason);
         result.equality_interval = Possible<ShareInterval>::none(result.pooling.reason);
     }
-    result.sentence = sentence_of(result, tests);
+    result.sentence = sentence_of(result, all.size());
     return result;
 }
 
@@ -129,15 +130,11 @@ Preference preference_of(const Votes& votes) {
 }
 
 std::vector<HypothesisResult> test_hypotheses(const std::vector<ConditionResult>& conditions,
-                                              const std::vector<std::string>& secondary) {
-    std::map<std::string, std::vector<const ConditionResult*>> by_name;
-    for (const ConditionResult& result : conditions) {
-        if (result.condition.hypothesis.empty()) continue;
-        by_name[result.condition.hypothesis].push_back(&result);
-    }
+                                              const Family& family) {
     std::vector<HypothesisResult> results;
-    for (const auto& [name, own] : by_name)
-        results.push_back(tested(name, own, secondary, conditions.size()));
+    for (const PlannedHypothesis& planned : family.hypotheses) {
+        if (!planned.is_interaction) results.push_back(tested(planned, conditions));
+    }
     return results;
 }
 

@@ -14,9 +14,8 @@ namespace obscura::analysis {
 /// Every test of one set of votes.
 [[nodiscard]] Preference preference_of(const Votes& votes);
 
-/// The hypotheses that conditions name, in order of their names, from the votes alone. The
-/// conditions in `secondary` are no part of any.
+/// The hypotheses of the family on a preference, in its order, from the votes alone.
 [[nodiscard]] std::vector<HypothesisResult> test_hypotheses(
-    const std::vector<ConditionResult>& conditions, const std::vector<std::string>& secondary);
+    const std::vector<ConditionResult>& conditions, const Family& family);
 
 }  // namespace obscura::analysis

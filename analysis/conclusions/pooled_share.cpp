@@ -116,8 +116,8 @@ void infer_from_counts(HypothesisResult& result, const Parts& parts) {
     result.posterior = parts.size() == 1 ? result.pooled.posterior : Possible<Posterior>::none(why);
 }
 
-void infer_from_participants(HypothesisResult& result, const Parts& parts,
-                             std::size_t participants) {
+void infer_from_participants(HypothesisResult& result, const Parts& parts, std::size_t participants,
+                             PooledParts said) {
     const std::vector<Votes> each = votes_of_each(parts, participants);
     std::vector<std::int64_t> differences;
     differences.reserve(each.size());
@@ -127,6 +127,7 @@ void infer_from_participants(HypothesisResult& result, const Parts& parts,
     const double share = *result.pooled.share_b;
     result.interval = interval_of(each, share, kConfidence);
     result.equality_interval = interval_of(each, share, kEqualityConfidence);
+    if (said == PooledParts::kVerdict) return;
     result.posterior = participants_posterior(each, kConfidence);
     result.heterogeneity = heterogeneity_of(parts, participants);
 }
@@ -142,7 +143,8 @@ void drop_what_counts_votes(Preference& pooled) {
 
 }  // namespace
 
-void infer_pooled_shares(std::vector<HypothesisResult>& hypotheses, const Tally& tally) {
+void infer_pooled_shares(std::vector<HypothesisResult>& hypotheses, const Tally& tally,
+                         PooledParts said) {
     using enum ShareIntervalKind;
     ConditionsById conditions;
     for (const ConditionVotes& condition : tally.conditions) {
@@ -154,7 +156,7 @@ void infer_pooled_shares(std::vector<HypothesisResult>& hypotheses, const Tally&
         if (tally.participants.empty()) {
             infer_from_counts(result, parts);
         } else {
-            infer_from_participants(result, parts, tally.participants.size());
+            infer_from_participants(result, parts, tally.participants.size(), said);
         }
         const bool is_each_once = parts.size() == 1 && result.interval->kind != kMeans;
         if (!is_each_once) drop_what_counts_votes(result.pooled);

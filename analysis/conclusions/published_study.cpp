@@ -38,8 +38,24 @@ const std::vector<PrintedTest>& printed_table_4() {
     return table;
 }
 
-std::vector<std::string> secondary_conditions(const Tally& tally) {
-    return is_built_in(tally) ? std::vector<std::string>{"IV"} : std::vector<std::string>();
+const std::vector<PlannedHypothesis>& published_hypotheses() {
+    static const std::vector<PlannedHypothesis> hypotheses{
+        {.id = "H1",
+         .statement = "Ambient occlusion raises perceived realism.",
+         .conditions = {"II", "V", "VII"}},
+        {.id = "H2",
+         .statement = "More accurate ambient occlusion raises perceived realism.",
+         .conditions = {"I", "III", "VI"}},
+        {.id = "H2-IV",
+         .statement = "More accurate ambient occlusion raises perceived realism, between two other "
+                      "techniques.",
+         .conditions = {"IV"},
+         .is_primary = false},
+        {.id = "H3",
+         .statement = "The effect of ambient occlusion depends on ecological validity.",
+         .is_interaction = true,
+         .pairs = {{"II", "V"}, {"III", "VI"}}}};
+    return hypotheses;
 }
 
 bool is_built_in(const Tally& tally) {
@@ -51,13 +67,6 @@ std::string published_participants() {
            "them students of one programme, all with normal or corrected vision and none aware of "
            "the purpose. Each judged all seven pairs, but only the sums were published: who chose "
            "what, in which order and how fast is not known.";
-}
-
-std::string published_hypothesis(const std::string& name) {
-    if (name == "H1") return "Ambient occlusion raises perceived realism.";
-    if (name == "H2") return "More accurate ambient occlusion raises perceived realism.";
-    if (name == "H3") return "The effect of ambient occlusion depends on ecological validity.";
-    return "";
 }
 
 }  // namespace obscura::analysis

@@ -26,18 +26,15 @@ void add_published_views(Tally& tally);
 /// Table 4, in its order.
 [[nodiscard]] const std::vector<PrintedTest>& printed_table_4();
 
-/// Conditions of the built-in study, and of the published votes, that serve no primary hypothesis:
-/// IV compares other techniques than the rest of H2. None of any other study.
-[[nodiscard]] std::vector<std::string> secondary_conditions(const Tally& tally);
+/// The hypotheses of the built-in study as its file fixes them, which the published votes do not
+/// carry.
+[[nodiscard]] const std::vector<PlannedHypothesis>& published_hypotheses();
 
 /// Whether these are the published votes or answers to the built-in study.
 [[nodiscard]] bool is_built_in(const Tally& tally);
 
 /// Who took part, from section 5.4 of the thesis, in this program's words.
 [[nodiscard]] std::string published_participants();
-
-/// A hypothesis of that study in one sentence, "" for any other name.
-[[nodiscard]] std::string published_hypothesis(const std::string& name);
 
 /// The name of the study whose hypotheses those are.
 inline constexpr const char* kPublishedStudy = "jakobsen2010";

@@ -6,9 +6,8 @@
 
 namespace obscura::analysis {
 
-/// What the votes of the conditions could show, and how many would have been needed. No value
-/// without votes and for more votes than kMostParticipants.
-[[nodiscard]] Possible<RunPower> run_power(const std::vector<ConditionResult>& conditions,
-                                           const std::vector<HypothesisResult>& hypotheses);
+/// What the votes of the conditions could show. No value without votes and for more votes than
+/// kMostParticipants.
+[[nodiscard]] Possible<RunPower> run_power(const std::vector<ConditionResult>& conditions);
 
 }  // namespace obscura::analysis

@@ -64,6 +64,20 @@ class Families {
         return several;
     }
 
+    /// The conditions of those ids, where they are all of one group.
+    [[nodiscard]] SamePair of(const std::vector<std::string>& ids) const {
+        for (const SamePair& family : families_) {
+            SamePair own;
+            for (const ConditionVotes* condition : family) {
+                if (std::find(ids.begin(), ids.end(), condition->id) != ids.end()) {
+                    own.push_back(condition);
+                }
+            }
+            if (own.size() == ids.size()) return own;
+        }
+        return {};
+    }
+
     /// The same, with those of the same two variants beside each other, in order of their first.
     [[nodiscard]] std::vector<std::vector<SamePair>> by_variants() const {
         std::vector<std::vector<SamePair>> groups;
@@ -239,6 +253,24 @@ std::vector<SamePair> compared(const std::vector<SamePair>& scenes) {
     return compared;
 }
 
+/// Whatever a study shows that can be compared.
+std::vector<SamePair> all_compared(const Families& families) {
+    std::vector<SamePair> all;
+    for (const std::vector<SamePair>& scenes : families.by_variants()) {
+        for (SamePair& family : compared(scenes)) all.push_back(std::move(family));
+    }
+    return all;
+}
+
+/// The pairs that a study fixed, as far as somebody answered them.
+std::vector<SamePair> planned_pairs(const PlannedHypothesis& planned, const Families& families) {
+    std::vector<SamePair> pairs;
+    for (const auto& ids : planned.pairs) {
+        if (SamePair own = families.of(ids); !own.empty()) pairs.push_back(std::move(own));
+    }
+    return pairs;
+}
+
 /// With the test that fits what is known.
 std::string sentence_of(const Comparison& comparison) {
     const Possible<PValue> p = p_of(comparison);
@@ -314,28 +346,42 @@ std::string_view to_string(DifferenceKind kind) {
     return "";
 }
 
-Possible<ValidityResult> test_validity(const Tally& tally) {
-    const bool is_published = is_published_votes(tally);
-    if (!is_built_in(tally) && !tally.asks_validity) {
+Possible<ValidityResult> test_validity(const Tally& tally, const Family& family) {
+    const PlannedHypothesis* const planned = family.interaction();
+    const bool is_fixed = family.origin == FamilyOrigin::kPlan;
+    if (planned == nullptr && !tally.asks_validity && (is_fixed || !is_built_in(tally))) {
         return Possible<ValidityResult>::none("the study does not ask it");
     }
     ValidityResult result;
-    result.name = name_of(tally);
-    const Families families(tally, true);
-    for (const std::vector<SamePair>& scenes : families.by_variants()) {
-        for (const SamePair& family : compared(scenes)) {
-            result.by_level.push_back(comparison_of(family, families));
-            result.by_level.back().view = views_of(family);
-            if (family.size() == 2) continue;
-            for (Comparison& pair : pairs_of(family, families)) result.by_pair.push_back(pair);
-        }
+    if (planned != nullptr) {
+        result.name = planned->id;
+        result.statement = planned->statement;
+        result.margin = planned->margin;
+        result.is_primary = planned->is_primary;
+        result.planned = planned->pairs.size();
+    } else {
+        result.name = name_of(tally);
+        result.is_primary = !is_fixed;
+    }
+    // The study vouches for its pairs: what an answer says of its scene may hold the light.
+    const Families families(tally, planned == nullptr);
+    for (const SamePair& pair :
+         planned == nullptr ? all_compared(families) : planned_pairs(*planned, families)) {
+        result.by_level.push_back(comparison_of(pair, families));
+        if (planned == nullptr) result.by_level.back().view = views_of(pair);
+        if (pair.size() == 2) continue;
+        for (Comparison& two : pairs_of(pair, families)) result.by_pair.push_back(two);
     }
     result.without_partner = without_partner(tally, result.by_level);
-    if (result.by_level.empty()) result.no_comparison = why_none(tally);
-    if (is_published) {
+    if (result.by_level.empty()) {
+        result.no_comparison = planned == nullptr
+                                   ? why_none(tally)
+                                   : "nobody answered both conditions of a pair that it compares";
+    }
+    if (is_published_votes(tally)) {
         const Families over_scenes(tally, false);
-        for (const SamePair& family : over_scenes.at_several_levels()) {
-            result.across_scenes.push_back(comparison_of(family, over_scenes));
+        for (const SamePair& level : over_scenes.at_several_levels()) {
+            result.across_scenes.push_back(comparison_of(level, over_scenes));
         }
     }
     result.sentence = sentence_of(result);

@@ -6,9 +6,10 @@
 
 namespace obscura::analysis {
 
-/// Whether the preference depends on validity, where that is asked: by the built-in study, its
-/// published votes, or Tally::asks_validity. Otherwise no value, with the reason. Intervals are
-/// from the same participants or from counts.
-[[nodiscard]] Possible<ValidityResult> test_validity(const Tally& tally);
+/// Whether the preference depends on validity, where that is asked: by an interaction of the family
+/// (then of just its pairs), by answers to the built-in study, or by Tally::asks_validity, which is
+/// secondary where the study fixed its family without it. Otherwise no value, with the reason.
+/// Intervals are from the same participants or from counts.
+[[nodiscard]] Possible<ValidityResult> test_validity(const Tally& tally, const Family& family);
 
 }  // namespace obscura::analysis

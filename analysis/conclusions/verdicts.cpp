@@ -12,17 +12,22 @@
 #include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/statistics/holm.h"
+#include "analysis/text/natural_order.h"
 
 namespace obscura::analysis {
 namespace {
 
+constexpr const char* kSecondary = "secondary: it stands alone";
+
 /// Tests of all verdicts, corrected together. What it holds follows from the study and not from who
 /// answered: a test that could not be computed is one of them, with p = 1.
-class Family {
+class CorrectedTests {
   public:
+    explicit CorrectedTests(const Possible<LookResult>& look) : look_(look) {}
+
     /// The place of the test in the family.
     std::size_t add(const Possible<PValue>& p) {
-        p_values_.push_back(p.has_value() ? p->p : 1.0);
+        p_values_.push_back(!p.has_value() ? 1.0 : look_.has_value() ? look_->spent(p->p) : p->p);
         is_computed_.push_back(p.has_value());
         return p_values_.size() - 1;
     }
@@ -34,6 +39,7 @@ class Family {
     }
 
   private:
+    const Possible<LookResult>& look_;
     std::vector<double> p_values_;
     std::vector<bool> is_computed_;
     std::vector<double> corrected_;
@@ -66,7 +72,7 @@ std::string bounds_words(const Interval& interval) {
     return fmt::format("{:.1f} to {:.1f} %", 100.0 * interval.low, 100.0 * interval.high);
 }
 
-std::string points_words() { return fmt::format("{:g} points", 100.0 * kRelevantDifference); }
+std::string points_words(double margin) { return fmt::format("{:g} points", 100.0 * margin); }
 
 /// The intervals, and what the narrower one says of shares that a study cares about.
 std::string interval_words(const HypothesisResult& result, bool is_tested) {
@@ -76,23 +82,27 @@ std::string interval_words(const HypothesisResult& result, bool is_tested) {
                                    bounds_words(interval.bounds), kind_words(interval.kind),
                                    bounds_words(equality.bounds));
     if (equality.kind != interval.kind) text += fmt::format(" ({})", kind_words(equality.kind));
-    const ShareReach reach = reach_of(equality.bounds);
+    const ShareReach reach = reach_of(equality.bounds, result.margin);
+    const double relevant = 100.0 * (0.5 + result.margin);
     if (!reach.for_a && !reach.for_b) {
-        return text + fmt::format(", which excludes shares of {:g} % or more of either image",
-                                  100.0 * kRelevantShare);
+        return text +
+               fmt::format(", which excludes shares of {:g} % or more of either image", relevant);
     }
     if (is_tested) return text;
     return text + fmt::format(", which leaves a share of {} of {:g} % or more possible",
                               reach.for_a && reach.for_b ? "either image"
                               : reach.for_b              ? "B"
                                                          : "A",
-                              100.0 * kRelevantShare);
+                              relevant);
 }
 
 Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_holm,
                    std::size_t tests) {
     Verdict verdict;
     verdict.hypothesis = result.name;
+    verdict.statement = result.statement;
+    verdict.is_primary = result.is_primary;
+    verdict.margin = result.margin;
     verdict.p = p_of(result);
     verdict.p_holm = p_holm;
     verdict.tests = tests;
@@ -105,8 +115,8 @@ Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_hol
     }
     verdict.interval = result.interval->bounds;
     verdict.equality = result.equality_interval->bounds;
-    const bool is_tested = is_significant(p_holm);
-    const ShareReach reach = reach_of(*verdict.equality);
+    const bool is_tested = verdict.is_primary ? is_significant(p_holm) : is_significant(verdict.p);
+    const ShareReach reach = reach_of(*verdict.equality, result.margin);
     const bool is_within = !reach.for_a && !reach.for_b;
     if (is_tested) {
         verdict.conclusion = votes.b > votes.a ? Conclusion::kBPreferred : Conclusion::kAPreferred;
@@ -117,8 +127,13 @@ Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_hol
     verdict.sentence = fmt::format(
         "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
         verdict_words(verdict), votes.b, counted(votes.n(), "vote"), 100.0 * *result.pooled.share_b,
-        test_words(result), corrected_words(p_holm, tests), interval_words(result, is_tested),
-        capital(result.pooling->words));
+        test_words(result),
+        verdict.is_primary ? corrected_words(p_holm, tests) : " (secondary, not corrected)",
+        interval_words(result, is_tested), capital(result.pooling->words));
+    if (!result.unanswered.empty()) {
+        verdict.sentence +=
+            fmt::format(" Nobody answered {}, which it takes too.", listed(result.unanswered));
+    }
     return verdict;
 }
 
@@ -153,9 +168,9 @@ const LevelDifference* largest_of(const Comparison& comparison) {
     return largest == comparison.differences.end() ? nullptr : &*largest;
 }
 
-std::string difference_words(const Widest& widest) {
+std::string difference_words(const Widest& widest, double margin) {
     const LevelDifference& difference = *widest.difference;
-    const bool reaches = reaches_relevant_difference(difference.equality);
+    const bool reaches = reaches_difference(difference.equality, margin);
     return fmt::format(
         " The share of B of {} against {}{}{} changes by {:+.1f} points from {} to {} (95 % "
         "interval {:+.1f} to {:+.1f}, 90 % interval {:+.1f} to {:+.1f}), which {}.",
@@ -166,13 +181,16 @@ std::string difference_words(const Widest& widest) {
         100.0 * difference.interval.high, 100.0 * difference.equality.low,
         100.0 * difference.equality.high,
         fmt::format("{} a difference of {} or more{}", reaches ? "leaves" : "excludes",
-                    points_words(), reaches ? " possible" : ""));
+                    points_words(margin), reaches ? " possible" : ""));
 }
 
 Verdict not_tested(const ValidityResult& validity, const std::string& why) {
     Verdict verdict;
     verdict.hypothesis = validity.name;
+    verdict.statement = validity.statement;
     verdict.is_on_validity = true;
+    verdict.is_primary = validity.is_primary;
+    verdict.margin = validity.margin;
     verdict.p = Possible<PValue>::none(why);
     verdict.p_holm = Possible<double>::none(why);
     verdict.interval = Possible<Interval>::none(why);
@@ -182,27 +200,39 @@ Verdict not_tested(const ValidityResult& validity, const std::string& why) {
     return verdict;
 }
 
+/// More participants will come: that nothing matters is not concluded before.
+void take_back_equality(Verdict& verdict) {
+    if (verdict.conclusion != Conclusion::kEqual && verdict.conclusion != Conclusion::kSame) return;
+    const std::string before = verdict_words(verdict);
+    verdict.conclusion = Conclusion::kUndecided;
+    const std::size_t place = verdict.sentence.find(before);
+    if (place != std::string::npos) {
+        verdict.sentence.replace(place, before.size(),
+                                 verdict_words(verdict) + " as long as participants are to come");
+    }
+}
+
 /// What follows from the test with the smallest p and from the difference that may be largest.
 void conclude_on_validity(Verdict& verdict, const Comparison* clearest, Widest& shown) {
-    if (is_significant(verdict.p_holm)) {
+    if (verdict.is_primary ? is_significant(verdict.p_holm) : is_significant(verdict.p)) {
         verdict.conclusion = Conclusion::kDiffers;
         const LevelDifference* difference = largest_of(*clearest);
         if (difference == nullptr) return;
         shown = {clearest, difference, 0.0};
-        verdict.is_small = !reaches_relevant_difference(difference->equality);
+        verdict.is_small = !reaches_difference(difference->equality, verdict.margin);
         const bool is_more = difference->difference > 0.0;
         verdict.direction =
             fmt::format("B more often at {} than at {}",
                         clearest->levels[is_more ? difference->to : difference->from],
                         clearest->levels[is_more ? difference->from : difference->to]);
     } else {
-        verdict.conclusion = reaches_relevant_difference(shown.difference->equality)
+        verdict.conclusion = reaches_difference(shown.difference->equality, verdict.margin)
                                  ? Conclusion::kUndecided
                                  : Conclusion::kSame;
     }
 }
 
-Verdict verdict_on_validity(const ValidityResult& validity, const Family& family,
+Verdict verdict_on_validity(const ValidityResult& validity, const CorrectedTests& family,
                             const std::vector<std::size_t>& places) {
     Widest shown = widest_of(validity.by_level);
     if (validity.by_level.empty()) return not_tested(validity, validity.no_comparison);
@@ -211,16 +241,21 @@ Verdict verdict_on_validity(const ValidityResult& validity, const Family& family
     }
     Verdict verdict;
     verdict.hypothesis = validity.name;
+    verdict.statement = validity.statement;
     verdict.is_on_validity = true;
+    verdict.is_primary = validity.is_primary;
+    verdict.margin = validity.margin;
     verdict.tests = family.size();
     std::string tests;
     const Comparison* clearest = nullptr;
     for (std::size_t i = 0; i < validity.by_level.size(); ++i) {
         const Comparison& comparison = validity.by_level[i];
         const auto p = p_of(comparison);
-        const Possible<double> p_holm = family.at(places[i]);
+        const Possible<double> p_holm =
+            verdict.is_primary ? family.at(places[i]) : Possible<double>::none(kSecondary);
         tests += fmt::format(" {}: {}{}.", what_is_compared(comparison), test_words(comparison),
-                             corrected_words(p_holm, family.size()));
+                             verdict.is_primary ? corrected_words(p_holm, family.size())
+                                                : " (secondary, not corrected)");
         if (!p.has_value() || (verdict.p.has_value() && verdict.p->p <= p->p)) continue;
         verdict.p = *p;
         verdict.p_holm = p_holm;
@@ -230,7 +265,7 @@ Verdict verdict_on_validity(const ValidityResult& validity, const Family& family
     verdict.interval = shown.difference->interval;
     verdict.equality = shown.difference->equality;
     verdict.sentence = fmt::format("{}: {}.{}{}", validity.name, verdict_words(verdict), tests,
-                                   difference_words(shown));
+                                   difference_words(shown, verdict.margin));
     if (!validity.without_partner.empty()) {
         verdict.sentence += ' ' + partner_words(validity.without_partner);
     }
@@ -243,7 +278,7 @@ std::string change_words(std::string_view what, std::string_view with, std::stri
 
 }  // namespace
 
-std::string to_string(Conclusion conclusion) {
+std::string to_string(Conclusion conclusion, double margin) {
     switch (conclusion) {
         case Conclusion::kUndecided:
             return "undecided";
@@ -252,11 +287,11 @@ std::string to_string(Conclusion conclusion) {
         case Conclusion::kAPreferred:
             return "A preferred over B";
         case Conclusion::kEqual:
-            return fmt::format("practically equal (within {})", points_words());
+            return fmt::format("practically equal (within {})", points_words(margin));
         case Conclusion::kDiffers:
             return "the effect differs with lighting";
         case Conclusion::kSame:
-            return fmt::format("equal within {}", points_words());
+            return fmt::format("equal within {}", points_words(margin));
         case Conclusion::kNotTested:
             return "not tested";
     }
@@ -264,11 +299,11 @@ std::string to_string(Conclusion conclusion) {
 }
 
 std::string verdict_words(const Verdict& verdict) {
-    std::string words = to_string(verdict.conclusion);
+    std::string words = to_string(verdict.conclusion, verdict.margin);
     if (!verdict.direction.empty()) words += ", " + verdict.direction;
     if (verdict.is_small) {
         words += fmt::format("{} by less than the relevant {}",
-                             verdict.direction.empty() ? "" : ",", points_words());
+                             verdict.direction.empty() ? "" : ",", points_words(verdict.margin));
     }
     return words;
 }
@@ -284,7 +319,9 @@ std::string verdict_rule() {
         "shown in the same scene at several levels: McNemar's exact test over two, Cochran's Q "
         "over more, and where several conditions show a level the test by flipping the signs of "
         "the participants' changes between every two levels. Holm's correction is over all of "
-        "these, whoever answered: a test that could not be computed counts as p = 1. "
+        "these, whoever answered: a test that could not be computed counts as p = 1. Secondary "
+        "hypotheses are no part of it: their p stands alone, and so what they say is a hint. The "
+        "margin is {1} around one half, or between two levels, where the study fixes no other. "
         "Corrected p below {0:g}: one image is preferred, by less than the relevant {1} where the "
         "90 % interval lies within {2:g} to {3:g} %; for validity, the effect differs. Otherwise, "
         "where the 90 % interval lies within {2:g} to {3:g} % (validity: every difference between "
@@ -295,48 +332,58 @@ std::string verdict_rule() {
         "counts alone. Those of a difference between levels are t's of the participants' own "
         "changes, of one pair of conditions from the exact limits of how many changed their "
         "answer; from counts, Newcombe's.",
-        kSignificance, points_words(), 100.0 * (1.0 - kRelevantShare), 100.0 * kRelevantShare,
-        kFewestForMeans);
+        kSignificance, points_words(kRelevantDifference), 100.0 * (1.0 - kRelevantShare),
+        100.0 * kRelevantShare, kFewestForMeans);
 }
 
-ShareReach reach_of(const Interval& interval) {
+ShareReach reach_of(const Interval& interval, double margin) {
     constexpr double kShown = 0.0005;  // half of what the last digit shown stands for
-    return {interval.high + kShown >= kRelevantShare,
-            interval.low - kShown <= 1.0 - kRelevantShare};
+    return {interval.high + kShown >= 0.5 + margin, interval.low - kShown <= 0.5 - margin};
 }
 
-bool reaches_relevant_difference(const Interval& interval) {
+bool reaches_difference(const Interval& interval, double margin) {
     constexpr double kShown = 0.0005;
-    return std::max(std::abs(interval.low), std::abs(interval.high)) + kShown >=
-           kRelevantDifference;
+    return std::max(std::abs(interval.low), std::abs(interval.high)) + kShown >= margin;
 }
 
 std::vector<Verdict> verdicts_of(const Analysis& analysis) {
-    Family family;
-    std::vector<const HypothesisResult*> pooled;
+    CorrectedTests family(analysis.look);
     std::vector<std::size_t> pooled_places;
     for (const HypothesisResult& result : analysis.hypotheses) {
-        pooled.push_back(&result);
-        pooled_places.push_back(family.add(p_of(result)));
+        pooled_places.push_back(result.is_primary ? family.add(p_of(result)) : 0);
     }
     std::vector<std::size_t> level_places;
     if (analysis.validity.has_value()) {
-        for (const Comparison& comparison : analysis.validity->by_level) {
-            level_places.push_back(family.add(p_of(comparison)));
+        const ValidityResult& validity = *analysis.validity;
+        for (const Comparison& comparison : validity.by_level) {
+            level_places.push_back(validity.is_primary ? family.add(p_of(comparison)) : 0);
         }
-        if (level_places.empty()) (void)family.add(Possible<PValue>::none("nothing to compare"));
+        // What could not be compared is a test all the same.
+        for (std::size_t i = level_places.size();
+             validity.is_primary && i < std::max<std::size_t>(validity.planned, 1); ++i) {
+            (void)family.add(Possible<PValue>::none("nothing to compare"));
+        }
     }
     family.correct();
     std::vector<Verdict> verdicts;
-    for (std::size_t i = 0; i < pooled.size(); ++i) {
-        verdicts.push_back(verdict_on(*pooled[i], family.at(pooled_places[i]), family.size()));
+    for (std::size_t i = 0; i < analysis.hypotheses.size(); ++i) {
+        const HypothesisResult& result = analysis.hypotheses[i];
+        verdicts.push_back(verdict_on(
+            result,
+            result.is_primary ? family.at(pooled_places[i]) : Possible<double>::none(kSecondary),
+            family.size()));
     }
     if (analysis.validity.has_value()) {
         verdicts.push_back(verdict_on_validity(*analysis.validity, family, level_places));
     }
-    std::stable_sort(
-        verdicts.begin(), verdicts.end(),
-        [](const Verdict& one, const Verdict& other) { return one.hypothesis < other.hypothesis; });
+    if (analysis.look.has_value() && analysis.look->spending != Spending::kNone &&
+        analysis.look->is_interim) {
+        for (Verdict& verdict : verdicts) take_back_equality(verdict);
+    }
+    std::stable_sort(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& one, const Verdict& other) {
+                         return naturally_before(one.hypothesis, other.hypothesis);
+                     });
     return verdicts;
 }
 

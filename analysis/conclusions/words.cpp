@@ -90,11 +90,21 @@ std::string order_words(const Possible<OrderByParticipant>& order) {
         text += fmt::format(" (95 % interval {:+.1f} to {:+.1f})", 100.0 * order->interval->low,
                             100.0 * order->interval->high);
     }
-    return text + fmt::format(", {} {}, p {}.", order->is_exact ? "exact" : "large-sample",
-                              order->kind == OrderTestKind::kSideGroups
-                                  ? "permutation between the two groups"
-                                  : "test by flipping signs",
-                              p_text(order->p));
+    text +=
+        fmt::format(", {} {}, p {}.", order->is_exact ? "exact" : "large-sample",
+                    order->kind == OrderTestKind::kSideGroups ? "permutation between the two groups"
+                                                              : "test by flipping signs",
+                    p_text(order->p));
+    if (order->kind != OrderTestKind::kSideGroups) return text;
+    // 4000 studies each, seed 1: three conditions pooled, sign flip at .05, standard deviation of
+    // the observers 1 in log odds, whole blocks of 14.
+    return text +
+           " One side for all pairs of a session costs power, since a liking for a place then "
+           "moves "
+           "all votes of a participant the same way: of 28 simulated participants who choose the "
+           "second of two alike images in 75 %, a true share of 65 % in three conditions is found "
+           "in 39 % of the studies, and in 55 % where the sides change within a session (sides = "
+           "\"trial\" in the study file).";
 }
 
 std::string scale_words(const VariantScale& scale) {

@@ -93,7 +93,7 @@ std::vector<ExportColumn<TrialRow>> trial_columns(const ExportSource& source) {
     auto columns = bids_columns(source, trials_export());
     std::erase_if(columns, [](const auto& column) {
         return column.name == "participant_id" || column.name == "session_id" ||
-               column.name == "exclusion";
+               column.name == "exclusion" || column.name == "study_plan";
     });
     for (auto& column : columns) {
         if (column.name == "response_time (s)") column.name = "response_time";

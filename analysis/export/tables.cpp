@@ -28,13 +28,19 @@ const Levels kSides{{"A", "variant A of the condition"}, {"B", "variant B of the
 constexpr const char* kUtc = "Time in UTC, ISO 8601";
 constexpr const char* kSha256 = "SHA-256 of the image file, 64 hexadecimal digits";
 constexpr const char* kSeed = "Seed of the study, from which the order was drawn";
-constexpr const char* kSwapped = "Whether variant B was shown first in every pair of the session";
+constexpr const char* kSwapped =
+    "Whether variant B was shown first in every pair of the session; where the study balances the "
+    "sides within a session, in the pairs of every other condition only: first_shown of a trial "
+    "says it";
 constexpr const char* kSquare = "Number of the square that gave the order, from 0";
 constexpr const char* kRow = "Row of that square, from 0";
 constexpr const char* kExclusion =
     "The study file's rule on whom to leave out, as JSON: smallest share of catch trials answered "
     "as expected, of repeated pairs answered alike, smallest median response time in seconds; "
     "empty: no rule";
+constexpr const char* kStudyPlan =
+    "What the study file fixed before there were data, as JSON: the hypotheses with the conditions "
+    "that they take; empty: nothing";
 constexpr const char* kExpected =
     "Variant that an attentive observer picks; empty: no attention check";
 constexpr const char* kRepeats =
@@ -168,6 +174,7 @@ const ExportTable<SessionRow>& sessions_export() {
                  "Hz",
                  of_own_session<&R::refresh_hz>},
                 {"exclusion", kExclusion, {}, "", of_own_session<&R::exclusion>},
+                {"study_plan", kStudyPlan, {}, "", of_own_session<&R::study_plan>},
             }};
         const auto counts = event_count_columns();
         sessions.columns.insert(sessions.columns.end(), counts.begin(), counts.end());
@@ -289,6 +296,7 @@ const ExportTable<TrialRow>& trials_export() {
             {"expected", kExpected, kSides, "", of_trial<&T::expected>},
             {"repeats", kRepeats, {}, "", of_trial<&T::repeats>},
             {"exclusion", kExclusion, {}, "", of_session<&S::exclusion>},
+            {"study_plan", kStudyPlan, {}, "", of_session<&S::study_plan>},
             {"study_A",
              "Which of the two variants the study calls A",
              {},

@@ -109,6 +109,7 @@ void put_heterogeneity(Json& object, const Possible<Heterogeneity>& heterogeneit
 Json hypothesis_json(const HypothesisResult& result) {
     Json object;
     object["conditions"] = result.conditions;
+    object["not_answered"] = result.unanswered;
     if (result.pooling.has_value()) {
         object["pooled_as"] = result.pooling->words;
         put_votes(object, result.pooled.votes);
@@ -317,6 +318,9 @@ std::string json_report(const Analysis& analysis) {
         put_none(report, "kind", "the counts do not say");
         put_none(report, "simulated", "the counts do not say");
     }
+    report["family"] = analysis.family.words;
+    put_registration(report, analysis.registration);
+    put_look(report, analysis.look);
     report["significance_level"] = kSignificance;
     report["confidence"] = kConfidence;
     put_results(report, analysis);

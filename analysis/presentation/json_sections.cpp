@@ -13,18 +13,6 @@ void put_test_power(Json& object, const std::string& name, const TestPower& powe
     object[name + "_true_size"] = power.true_size;
 }
 
-Json needed_json(const std::vector<RunPower::Needed>& list) {
-    Json array = Json::array();
-    for (const RunPower::Needed& needed : list) {
-        Json& entry = array.emplace_back();
-        entry["name"] = needed.name;
-        entry["share_b"] = needed.share_b;
-        put(entry, "participants_needed", needed.exact);
-        put(entry, "participants_needed_holm", needed.holm);
-    }
-    return array;
-}
-
 void put_successes(Json& object, const std::string& name, const Successes& trials) {
     object[name] = {{"n", trials.n}, {"successes", trials.successes}};
 }
@@ -68,7 +56,33 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     put(hypothesis, "verdict_p_holm", verdict.p_holm);
     put_interval(hypothesis, "verdict_interval", verdict.interval);
     put_interval(hypothesis, "verdict_interval_90", verdict.equality);
+    hypothesis["statement"] = verdict.statement;
+    hypothesis["role"] = verdict.is_primary ? "primary" : "secondary";
+    hypothesis["margin"] = verdict.margin;
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
+}
+
+void put_registration(Json& report, const Possible<RegistrationResult>& registration) {
+    if (!registration.has_value()) return put_none(report, "registration", registration.reason);
+    report["registration"] = {{"document", registration->document},
+                              {"written_utc", registration->written_utc},
+                              {"deviations", registration->deviations},
+                              {"unknown", registration->unknown}};
+}
+
+void put_look(Json& report, const Possible<LookResult>& look) {
+    if (!look.has_value()) return put_none(report, "look", look.reason);
+    report["look"] = {{"number", look->looks.size()},
+                      {"looks", look->looks},
+                      {"planned", look->planned},
+                      {"is_planned", look->is_planned},
+                      {"is_interim", look->is_interim},
+                      {"spending", to_string(look->spending)},
+                      {"spent", look->boundary.spent},
+                      {"boundary_z", look->boundary.z},
+                      {"boundary_p", look->boundary.p},
+                      {"error", look->error},
+                      {"words", look->words}};
 }
 
 void put_power(Json& report, const Possible<RunPower>& power) {
@@ -87,8 +101,6 @@ void put_power(Json& report, const Possible<RunPower>& power) {
     object["asked_power"] = kAskedPower;
     put(object, "detectable_share", power->detectable);
     put(object, "detectable_share_holm", power->detectable_holm);
-    object["conditions"] = needed_json(power->conditions);
-    object["hypotheses"] = needed_json(power->hypotheses);
     report["power"] = std::move(object);
 }
 

@@ -62,14 +62,15 @@ std::string overall_words(const Analysis& analysis) {
     return text;
 }
 
-/// What a verdict answers. The thesis's words are for the thesis's hypotheses only.
-std::string question_of(const Verdict& verdict, bool knows_hypotheses) {
-    const std::string published = knows_hypotheses ? published_hypothesis(verdict.hypothesis) : "";
-    const bool is_meant = verdict.is_on_validity == (verdict.hypothesis == "H3");
-    if (!published.empty() && is_meant) return verdict.hypothesis + ": " + published;
-    return verdict.hypothesis + (verdict.is_on_validity
-                                     ? ": The preference depends on ecological validity."
-                                     : ": Image B is preferred in its conditions.");
+/// What a verdict answers, in the study's words where it has some.
+std::string question_of(const Verdict& verdict) {
+    const std::string role = verdict.is_primary ? "" : " (secondary)";
+    if (!verdict.statement.empty()) {
+        return fmt::format("{}{}: {}", verdict.hypothesis, role, verdict.statement);
+    }
+    return fmt::format("{}{}: {}", verdict.hypothesis, role,
+                       verdict.is_on_validity ? "The preference depends on ecological validity."
+                                              : "Image B is preferred in its conditions.");
 }
 
 /// How the thesis concluded on H3, and what a test says.
@@ -96,15 +97,18 @@ void add_validity_points(const ValidityResult& validity, std::vector<std::string
 
 void add_answers(ReportDraft& draft) {
     const Analysis& analysis = draft.input.analysis;
-    const Tally& tally = analysis.tally;
-    const bool knows_hypotheses = is_built_in(tally);
     draft.page.heading("In short");
     draft.page.paragraph(overall_words(analysis));
     for (const Verdict& verdict : analysis.verdicts) {
-        draft.page.answer(question_of(verdict, knows_hypotheses), capital(verdict_words(verdict)),
+        draft.page.answer(question_of(verdict), capital(verdict_words(verdict)),
                           capital(sentence_of(verdict)));
     }
-    draft.page.fine_print("The rule behind the verdicts. " + verdict_rule());
+    if (analysis.registration.has_value()) {
+        draft.page.paragraph(registration_words(*analysis.registration));
+    }
+    if (analysis.look.has_value()) draft.page.paragraph(analysis.look->words);
+    draft.page.fine_print("The rule behind the verdicts. " + analysis.family.words + ' ' +
+                          verdict_rule());
 }
 
 void add_published_study(ReportDraft& draft) {
@@ -139,7 +143,7 @@ void add_published_study(ReportDraft& draft) {
     points.push_back(
         "An even split such as 18 : 18 is not proof that people saw no difference: its 95 % "
         "interval reaches from 34 to 66 %.");
-    points.push_back("How many participants would have been needed is in the part on power below.");
+    points.push_back("What 36 answers a pair could have shown is in the part on power below.");
     draft.page.list(points);
 }
 

@@ -26,24 +26,6 @@ std::string tests_words(const RunPower& power) {
     return counted(static_cast<std::int64_t>(power.tests), "test");
 }
 
-std::string needed_cell(const Possible<std::int64_t>& n) {
-    return n.has_value() ? std::to_string(*n) : kNoValue;
-}
-
-/// How many participants would show each share that was met.
-PageTable needed_table(const RunPower& power) {
-    PageTable table{{"Condition or hypothesis", "B (%)", "Needed, one test",
-                     fmt::format("Needed, {}", tests_words(power))},
-                    {}};
-    for (const auto* list : {&power.conditions, &power.hypotheses}) {
-        for (const RunPower::Needed& needed : *list) {
-            table.rows.push_back({needed.name, fmt::format("{:.1f}", 100.0 * needed.share_b),
-                                  needed_cell(needed.exact), needed_cell(needed.holm)});
-        }
-    }
-    return table;
-}
-
 PageTable power_table(const RunPower& power) {
     PageTable table{{"True share (%)", "Exact test (%)", "Chi-square test (%)",
                      fmt::format("Exact, {} (%)", tests_words(power))},
@@ -118,15 +100,10 @@ void add_power(ReportDraft& draft) {
         "the exact test at the level that passes Holm's correction whatever the other "
         "conditions give. False alarms: how often each test finds a preference that is "
         "not there.");
-    draft.page.heading("How many participants would have been needed", 3);
-    draft.page.table(
-        needed_table(power),
-        fmt::format(
-            "If the share met were the true one: participants, with one vote each, for {} "
-            "power with the exact test, alone and at the level that passes Holm's "
-            "correction. No number where the votes are even. Shares met by chance are often "
-            "too far from one half, so plan for more.",
-            percent(kAskedPower)));
+    draft.page.paragraph(
+        "What the answers leave possible, the intervals of each share say. Power at the share that "
+        "was observed is not given: it would say no more than the p-value does (Hoenig and Heisey "
+        "2001). How many participants another study needs, obscura power STUDY says.");
 }
 
 }  // namespace obscura::analysis

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-std::string number(const Possible<std::int64_t>& value) {
-    return value.has_value() ? std::to_string(*value) : kNoText;
-}
-
 std::string share(const Possible<double>& value) {
     return value.has_value() ? fmt::format("{:.4f}", *value) : kNoText;
 }
@@ -108,7 +104,11 @@ std::string rule_words(const ExclusionRule& rule) {
 std::string verdicts_text(const Analysis& analysis) {
     std::string text = "\n";
     for (const Verdict& verdict : analysis.verdicts) text += verdict.sentence + '\n';
-    return wrapped(text + verdict_rule() + '\n');
+    if (analysis.registration.has_value()) {
+        text += registration_words(*analysis.registration) + '\n';
+    }
+    if (analysis.look.has_value()) text += analysis.look->words + '\n';
+    return wrapped(text + analysis.family.words + ' ' + verdict_rule() + '\n');
 }
 
 std::string power_text(const Possible<RunPower>& power) {
@@ -132,20 +132,10 @@ std::string power_text(const Possible<RunPower>& power) {
                     fmt::format("{:.4f}", any.chi_square.true_size)});
     rows.push_back({fmt::format("share at {:g} % power", kPercent * kAskedPower),
                     share(power->detectable), share(power->detectable_holm), ""});
-    text += aligned(rows, 1);
-    if (power->conditions.empty() && power->hypotheses.empty()) return text;
-    text += wrapped(fmt::format(
-        "\nParticipants who would have been needed for {:g} % power at the observed share, one "
-        "vote each (-: within .02 of one half, thousands):\n",
-        kPercent * kAskedPower));
-    rows = {{"", "share B", "exact", "exact, Holm"}};
-    for (const auto* list : {&power->conditions, &power->hypotheses}) {
-        for (const RunPower::Needed& needed : *list) {
-            rows.push_back({needed.name, fmt::format("{:.4f}", needed.share_b),
-                            number(needed.exact), number(needed.holm)});
-        }
-    }
-    return text + aligned(rows, 1);
+    return text + aligned(rows, 1) +
+           wrapped(
+               "What the answers leave possible, their intervals say: power at the share that was "
+               "observed would say no more than p does (Hoenig and Heisey 2001).\n");
 }
 
 std::string attention_text(const Analysis& analysis) {

@@ -38,11 +38,11 @@ void check_subject_kind(const std::string& where, Kind kind) {
     }
 }
 
-void check_exclusion(const std::string& where, const std::string& rule) {
-    check_text(where, "exclusion", rule);
-    if (!rule.empty() && !nlohmann::json::parse(rule, nullptr, false).is_object()) {
-        throw base::bad_input("{}: exclusion is '{}', allowed is a JSON object or nothing", where,
-                              rule);
+void check_object(const std::string& where, const char* column, const std::string& text) {
+    check_text(where, column, text);
+    if (!text.empty() && !nlohmann::json::parse(text, nullptr, false).is_object()) {
+        throw base::bad_input("{}: {} is '{}', allowed is a JSON object or nothing", where, column,
+                              text);
     }
 }
 
@@ -116,7 +116,8 @@ void check(const SessionRecord& session) {
     check_text(where, "gpu_renderer", session.gpu_renderer);
     check_text(where, "display", session.display);
     base::check_range(where, "refresh_hz", session.refresh_hz, 0.0, kMaxRefreshHz);
-    check_exclusion(where, session.exclusion);
+    check_object(where, "exclusion", session.exclusion);
+    check_object(where, "study_plan", session.study_plan);
 }
 
 void check(const TrialRecord& trial) {

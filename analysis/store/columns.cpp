@@ -171,7 +171,8 @@ const RecordTable<SessionRecord>& sessions_table() {
                                        column<&R::gpu_renderer>("gpu_renderer"),
                                        column<&R::display>("display"),
                                        column<&R::refresh_hz>("refresh_hz"),
-                                       column<&R::exclusion, TextOrNull>("exclusion")}};
+                                       column<&R::exclusion, TextOrNull>("exclusion"),
+                                       column<&R::study_plan, TextOrNull>("study_plan")}};
     return table;
 }
 

@@ -104,6 +104,9 @@ struct SessionRecord {
     /// The study's rule on whom to leave out: a JSON object with any of min_catch_correct,
     /// min_repeat_agreement (shares, 0 to 1) and min_response_time_s (median, s); empty: no rule.
     std::string exclusion;
+    /// What else the study fixed before it had data, its hypotheses: a JSON object as
+    /// stimuli::Study::plan_json() writes it; empty: nothing.
+    std::string study_plan;
 
     bool operator==(const SessionRecord&) const = default;
 };

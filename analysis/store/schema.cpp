@@ -123,6 +123,11 @@ std::vector<std::string> hidden_stimuli() {
     };
 }
 
+/// What the study fixed before it had data is kept with each session, as its rule of exclusion is.
+std::vector<std::string> study_plans() {
+    return {"ALTER TABLE sessions ADD COLUMN study_plan TEXT CHECK (study_plan <> '')"};
+}
+
 /// The statement in the system's own words.
 std::string spelled_for(Database::System system, std::string statement) {
     const bool sqlite = system == Database::System::kSqlite;
@@ -172,7 +177,7 @@ base::Error newer(const Database& database, int met, int known) {
 
 const std::vector<Migration>& migrations() {
     static const std::vector<Migration> steps{
-        {1, first_schema()}, {2, checks_of_attention()}, {3, hidden_stimuli()}};
+        {1, first_schema()}, {2, checks_of_attention()}, {3, hidden_stimuli()}, {4, study_plans()}};
     return steps;
 }
 

@@ -301,9 +301,9 @@ void Store::each_session_with_events(
 
 void Store::each_answer(const std::function<void(const SessionRecord&)>& take_session,
                         const std::function<void(const TrialRecord&)>& take_trial) {
-    static const auto sessions = part_of(
-        sessions_table(),
-        {"session_id", "participant_id", "kind", "study", "study_sha256", "state", "exclusion"});
+    static const auto sessions =
+        part_of(sessions_table(), {"session_id", "participant_id", "kind", "study", "study_sha256",
+                                   "state", "exclusion", "study_plan"});
     static const auto trials =
         part_of(trials_table(), {"session_id", "kind", "trial_index", "condition", "hypothesis",
                                  "scene", "validity", "condition_A", "condition_B", "first_shown",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "analysis/conclusions/analysis.h"
@@ -16,7 +18,9 @@
 #include "analysis/tally.h"
 #include "analysis/trials_file.h"
 #include "app/commands/list.h"
+#include "app/commands/look_log.h"
 #include "app/commands/report_input.h"
+#include "app/kiosk/machine.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "stimuli/view_names.h"
@@ -32,6 +36,7 @@ struct AnalyzeOptions {
     bool published = false;
     std::string study;
     std::string study_file;
+    std::filesystem::path preregistered;  ///< empty: none
     std::string kind = "participant";
     bool validity = false;
     bool model = false;
@@ -44,9 +49,32 @@ struct AnalyzeOptions {
 /// The votes, and who gave them where that is known.
 struct Answers {
     analysis::Tally tally;
+    analysis::Conducted conducted = {};
     analysis::Possible<analysis::Attendance> attendance =
         analysis::Possible<analysis::Attendance>::none("only votes are known");
 };
+
+/// SHA-256 of every image that a completed session showed, by the file that it was of.
+std::map<std::string, std::vector<std::string>> images_shown(analysis::Store& store,
+                                                             const std::string& study,
+                                                             analysis::Kind kind) {
+    std::map<std::string, std::vector<std::string>> shown;
+    const auto note = [&](const analysis::TrialRecord& trial, char side, const std::string& hash) {
+        auto& hashes = shown[fmt::format("{}-{}.png", trial.condition, side)];
+        if (std::find(hashes.begin(), hashes.end(), hash) == hashes.end()) hashes.push_back(hash);
+    };
+    store.each_trial(
+        [&](const analysis::TrialRecord& trial, const analysis::SessionRecord& session) {
+            if (session.study != study || session.kind != kind ||
+                session.state != analysis::SessionState::kCompleted) {
+                return;
+            }
+            const bool a_first = trial.first_shown == 'A';
+            note(trial, 'a', a_first ? trial.first_sha256 : trial.second_sha256);
+            note(trial, 'b', a_first ? trial.second_sha256 : trial.first_sha256);
+        });
+    return shown;
+}
 
 Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) {
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
@@ -55,6 +83,9 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
     store.of_one_moment([&] {
         answers.tally =
             analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
+        if (!options.preregistered.empty()) {
+            answers.conducted.images = images_shown(store, answers.tally.study, *kind);
+        }
         if (!options.out.empty()) {
             answers.attendance = analysis::attendance_of(store, answers.tally.study, *kind);
         }
@@ -114,6 +145,21 @@ void write_report(analysis::Analysis result, Answers answers,
     fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
 }
 
+/// Counts and tables of other programs are looked at once, or nobody knows how often.
+bool is_of_store(const AnalyzeOptions& options) {
+    return !options.published && options.counts.empty() && options.trials.empty();
+}
+
+analysis::RegistrationResult registration_of(Answers& answers, const analysis::Analysis& result,
+                                             const AnalyzeOptions& options) {
+    analysis::Conducted& conducted = answers.conducted;
+    conducted.software = kiosk::software_version();
+    conducted.analysis_seed = analysis::kAnalysisSeed;
+    conducted.asks_validity = options.validity && result.family.interaction() == nullptr;
+    return analysis::compare_registration(analysis::read_registration(options.preregistered),
+                                          options.preregistered.string(), answers.tally, conducted);
+}
+
 base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
     Answers answers = answers_of(options, globals);
@@ -121,10 +167,19 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
         base::log::warn("{}: {}", answers.tally.source, note);
     }
     answers.tally.asks_validity = options.validity;
+    std::optional<LookLog> looks;
+    if (is_of_store(options) && answers.tally.kind == analysis::Kind::kParticipant) {
+        looks.emplace(globals.data, answers.tally.study);
+        answers.tally.looks_before = looks->looks();
+    }
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     const analysis::AnalysisOptions parts{wants_model(options, answers.tally)};
     analysis::Analysis result = analysis::analyse(answers.tally, parts);
+    if (!options.preregistered.empty()) {
+        result.registration = registration_of(answers, result, options);
+    }
+    if (looks) looks->note(static_cast<std::int64_t>(answers.tally.participants.size()));
     const std::string shown =
         options.json ? analysis::json_report(result) : analysis::text_report(result);
     if (!options.out.empty()) {
@@ -187,6 +242,9 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
     app.add("--study-file", options->study_file,
             "Study file, for which scenes are the same and for the report's title and "
             "question [the built-in study of that name]")
+        .type("FILE");
+    app.add("--preregistered", options->preregistered,
+            "Document of obscura plan --preregister: say what deviates from it")
         .type("FILE");
     app.add("--measurement", options->measurement,
             "Table of obscura measure, for speed, error and what relates them to the answers "

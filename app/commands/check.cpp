@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands/list.h"
+#include "app/commands/planned_tally.h"
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
@@ -25,6 +26,14 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals&
     for (std::string& warning :
          stimuli::warnings_of(study, stimuli::compared_pairs(study, folder))) {
         warnings.push_back(std::move(warning));
+    }
+    const analysis::Tally planned = planned_tally(study);
+    for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
+        if (hypothesis.kind != stimuli::HypothesisKind::kPreference) continue;
+        const auto pooling = pooling_of(planned, hypothesis.conditions);
+        if (pooling.has_value()) continue;
+        warnings.push_back(fmt::format("hypothesis {} cannot be tested, and counts as p = 1: {}",
+                                       hypothesis.id, pooling.reason));
     }
     return warnings;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "analysis/export/contents.h"
@@ -13,13 +12,10 @@
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
 #include "app/commands/report_input.h"
+#include "app/commands/simulated_store.h"
 #include "app/kiosk/machine.h"
-#include "app/kiosk/recording.h"
-#include "app/kiosk/simulated_observer.h"
-#include "app/kiosk/store_lock.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
-#include "renderer/base/progress.h"
 #include "stimuli/generate.h"
 #include "stimuli/view_names.h"
 
@@ -36,47 +32,9 @@ struct DemoOptions {
     int participants = 36;
 };
 
-[[nodiscard]] std::string url_of(const fs::path& file) { return "sqlite3://" + file.string(); }
-
-/// A demo is made anew each time; a store that holds anybody's real answers is not replaced.
-void refuse_real_answers(const fs::path& file) {
-    // An empty file, of a program that ended before it made its tables, holds nobody's answers.
-    if (!fs::exists(file) || fs::file_size(file) == 0) return;
-    Store store(url_of(file), Store::Access::kReadOnly);
-    const auto sessions = store.sessions();
-    const bool simulated = std::all_of(sessions.begin(), sessions.end(), [](const auto& session) {
-        return session.kind == Kind::kSimulated;
-    });
-    if (!simulated) {
-        throw base::bad_input(
-            "--out: {} holds answers of participants; the demo replaces its store, give it another "
-            "folder",
-            file.string());
-    }
-}
-
-/// What SQLite keeps beside a store while it is open; it must not outlive its store.
-void remove_log(const fs::path& file) {
-    for (const char* ending : {"-wal", "-shm", "-journal"}) fs::remove(file.string() + ending);
-}
-
-[[nodiscard]] kiosk::SessionPlan plan_of(const stimuli::Study& study,
-                                         const stimuli::Manifest& manifest,
-                                         const std::vector<std::uint64_t>& taken, int number) {
-    kiosk::SessionPlan plan;
-    plan.participant_id = fmt::format("simulated-p{:04}", number);
-    plan.session_id = fmt::format("simulated-s{:04}", number);
-    plan.kind = Kind::kSimulated;
-    plan.images = kiosk::images_of(study, manifest);
-    plan.order = stimuli::session_order(study.order, static_cast<int>(plan.images.size()),
-                                        study.seed, stimuli::next_slot(taken));
-    plan.machine = kiosk::simulated_machine();
-    return plan;
-}
-
-/// Every observer through the kiosk's procedure into a new store.
-void simulate(const stimuli::Study& study, const fs::path& images, const fs::path& file,
-              int participants, bool quiet) {
+/// Observers who choose as often as was published.
+void simulate_published(const stimuli::Study& study, const fs::path& images,
+                        const Simulation& simulation) {
     const kiosk::ChoiceModel choices = kiosk::choices_from(study, analysis::published_votes());
     if (!choices.unpublished.empty()) {
         base::log::warn(
@@ -84,33 +42,8 @@ void simulate(const stimuli::Study& study, const fs::path& images, const fs::pat
             "1/2 there",
             fmt::join(choices.unpublished, ", "));
     }
-    const stimuli::Manifest manifest = stimuli::load_manifest(images / "manifest.json");
-    Store store(url_of(file), Store::Access::kThrowaway);
-    kiosk::VirtualClock clock;
-    base::Progress progress("simulate", static_cast<std::size_t>(participants), quiet);
-    for (int number = 1; number <= participants; ++number) {
-        kiosk::Procedure procedure(
-            study, plan_of(study, manifest,
-                           store.taken_slots(study.name, study.seed, Kind::kSimulated), number));
-        kiosk::Journal journal = kiosk::journal_to(store);
-        base::Random random(kiosk::observer_seed(study.seed, static_cast<std::uint64_t>(number)));
-        kiosk::simulate_observer(procedure, choices, random, clock, journal);
-        progress.step(fmt::format("observer {}", number));
-    }
-}
-
-/// Beside and renamed: an interrupted demo leaves the store of the last one.
-void make_store(const stimuli::Study& study, const fs::path& images, const fs::path& file,
-                int participants, bool quiet) {
-    // Nobody's answers may come in between the question and the replacement.
-    const kiosk::StoreLock lock(url_of(file));
-    refuse_real_answers(file);
-    const fs::path beside = file.string() + ".new";
-    fs::remove(beside);
-    remove_log(beside);
-    simulate(study, images, beside, participants, quiet);
-    remove_log(file);
-    fs::rename(beside, file);
+    simulate_into_store(study, stimuli::load_manifest(images / "manifest.json"), choices,
+                        simulation);
 }
 
 /// Writes tables and the report, and gives the analysis as text.
@@ -118,7 +51,7 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
                                   const analysis::ExportedStudy& exported, const fs::path& out,
                                   const fs::path& file) {
     const fs::path reports = out / "reports";
-    Store store(url_of(file), Store::Access::kReadOnly);
+    Store store(store_url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
     analysis::ExportOptions export_options;
     export_options.folder = reports / "export";
@@ -127,8 +60,8 @@ void make_store(const stimuli::Study& study, const fs::path& images, const fs::p
     export_options.software = kiosk::software_version();
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
-    analysis::Tally tally = analysis::tally_trials(url_of(file), contents.sessions, contents.trials,
-                                                   study.name, Kind::kSimulated);
+    analysis::Tally tally = analysis::tally_trials(store_url_of(file), contents.sessions,
+                                                   contents.trials, study.name, Kind::kSimulated);
     analysis::name_views(tally, stimuli::view_names(study));
     input.analysis = analysis::analyse(std::move(tally));
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
@@ -142,11 +75,12 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const stimuli::Study study = stimuli::load_study(options.study);
     base::require_writable_folder(out, "--out");
     const fs::path file = out / "responses.sqlite";
-    refuse_real_answers(file);
+    refuse_real_answers(file, "--out");
     const fs::path images = stimuli::stimuli_folder(out, study);
     const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
-    make_store(study, images, file, options.participants, globals.quiet);
+    simulate_published(study, images,
+                       {file, "--out", options.participants, study.seed, globals.quiet});
     const std::string report = analyse(
         study, exported_study(stimuli::study_source(options.study), study, images), out, file);
     fmt::print("{}", report);

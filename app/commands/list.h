@@ -18,6 +18,7 @@ Command export_command();
 Command measure_command();
 Command plan_command();
 Command power_command();
+Command rehearse_command();
 Command render_command();
 Command scene_command();
 

@@ -35,6 +35,7 @@ Option Options::add(const std::string& name, T& value, const std::string& what) 
 }
 template Option Options::add(const std::string&, std::string&, const std::string&) const;
 template Option Options::add(const std::string&, std::filesystem::path&, const std::string&) const;
+template Option Options::add(const std::string&, std::uint64_t&, const std::string&) const;
 template Option Options::add(const std::string&, int&, const std::string&) const;
 template Option Options::add(const std::string&, double&, const std::string&) const;
 template Option Options::add(const std::string&, std::optional<int>&, const std::string&) const;

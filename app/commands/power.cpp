@@ -11,6 +11,9 @@
 
 #include "analysis/presentation/text_layout.h"
 #include "app/commands/list.h"
+#include "app/commands/observer_options.h"
+#include "app/commands/power_of_study.h"
+#include "app/commands/study_power_text.h"
 #include "renderer/base/check.h"
 
 namespace obscura::app {
@@ -21,7 +24,11 @@ using analysis::TestPower;
 using Json = nlohmann::ordered_json;
 
 struct PowerOptions {
-    std::vector<double> shares{.55, .60, .65, .70, .75, .80};
+    std::string study;           ///< empty: of one condition, from the binomial distribution
+    std::vector<double> shares;  ///< empty: kShares, or of a study PowerRequest's
+    ObserverOptions observers{.sd = PowerRequest().sd};
+    int studies = PowerRequest().studies;
+    std::uint64_t seed = PowerRequest().seed;
     double level = 0.05;
     double power = 0.8;
     int conditions = 1;
@@ -42,6 +49,7 @@ struct Range {
 };
 
 constexpr std::int64_t kMostRows = 10'000;
+constexpr double kShares[] = {.55, .60, .65, .70, .75, .80};
 
 Range range_from(const std::string& text) {
     Range range;
@@ -247,7 +255,8 @@ std::string csv_of(const std::vector<PowerAnswers::Achieved>& curve) {
     return text;
 }
 
-base::ExitCode power(const PowerOptions& options) {
+base::ExitCode power_of_conditions(PowerOptions options) {
+    if (options.shares.empty()) options.shares.assign(std::begin(kShares), std::end(kShares));
     check(options);
     if (options.csv) {
         fmt::print("{}", csv_of(answers_to(options).curve));
@@ -258,17 +267,63 @@ base::ExitCode power(const PowerOptions& options) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_power(const Options& app, const Globals&) {
+PowerRequest request_of(const PowerOptions& options, bool quiet) {
+    PowerRequest request;
+    if (!options.shares.empty()) request.shares = options.shares;
+    for (const double share : request.shares) {
+        if (!(share > 0.5 && share < 1.0)) {
+            throw base::bad_input("--share {}: allowed is more than .5 and less than 1", share);
+        }
+    }
+    if (!(options.power > 0.0 && options.power < 1.0)) {
+        throw base::bad_input("--power {}: allowed is more than 0 and less than 1", options.power);
+    }
+    if (options.participants) {
+        base::check_range("power", "--participants", *options.participants, std::int64_t{1},
+                          std::int64_t{kMostSimulated});
+        request.participants = static_cast<int>(*options.participants);
+    }
+    base::check_range("power", "--studies", options.studies, 100, 100'000);
+    request.sd = options.observers.sd;
+    request.order_bias = options.observers.order_bias;
+    request.careless = options.observers.careless;
+    request.studies = options.studies;
+    request.seed = options.seed;
+    request.power = options.power;
+    request.quiet = quiet;
+    return request;
+}
+
+base::ExitCode power_of_verdicts(const PowerOptions& options, const Globals& globals) {
+    const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    (void)choices_from(options.observers, study);  // what it refuses
+    const PowerRequest request = request_of(options, globals.quiet || options.json);
+    const auto results = power_of_study(study, request);
+    fmt::print("{}", options.json ? study_power_json(study, request, results)
+                                  : study_power_text(study, request, results));
+    return base::ExitCode::kDone;
+}
+
+std::function<base::ExitCode()> attach_power(const Options& app, const Globals& globals) {
     auto options = std::make_shared<PowerOptions>();
+    const Option study = app.add("STUDY", options->study,
+                                 "Study file or built-in study: the power of its verdicts, by "
+                                 "simulating it as planned; none: of one condition alone");
+    for (const Option& own : add_own_options(app, options->observers)) own.needs(study);
+    app.add("--studies", options->studies, "Simulated studies for each number, 100 to 100000")
+        .shows_default()
+        .needs(study);
+    app.add("--seed", options->seed, "Of the simulation").shows_default().needs(study);
     app.add("--share", options->shares,
-            "True shares of votes for the preferred image, 0 to 1, at least .001 from .5")
-        .shows_default();
-    app.add("--level", options->level, "p below which a result is significant, 0 to 1")
-        .shows_default();
+            "True shares of votes for the preferred image, 0 to 1, at least .001 from .5 "
+            "[.55 .60 .65 .70 .75 .80; of a study .65]");
+    const Option level =
+        app.add("--level", options->level, "p below which a result is significant, 0 to 1")
+            .shows_default();
     app.add("--power", options->power, "Chance of a significant result, 0 to 1").shows_default();
-    app.add("--conditions", options->conditions,
-            "Conditions that are tested, corrected by Holm's method")
-        .shows_default();
+    const Option conditions = app.add("--conditions", options->conditions,
+                                      "Conditions that are tested, corrected by Holm's method")
+                                  .shows_default();
     app.add("--participants", options->participants,
             "Say what power this number of participants has");
     const Option curve = app.add("--curve", options->curve,
@@ -277,7 +332,11 @@ std::function<base::ExitCode()> attach_power(const Options& app, const Globals&)
     app.add_flag("--csv", options->csv, "Print the curve alone, as CSV")
         .needs(curve)
         .excludes({json});
-    return [options] { return power(*options); };
+    study.excludes({level, conditions, curve});
+    return [options, &globals] {
+        return options->study.empty() ? power_of_conditions(*options)
+                                      : power_of_verdicts(*options, globals);
+    };
 }
 
 }  // namespace

@@ -118,8 +118,7 @@ class Kiosk {
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
         plan.machine = machine_;
-        plan.order = stimuli::session_order(study_.order, static_cast<int>(plan.images.size()),
-                                            study_.seed, stimuli::next_slot(taken));
+        plan.order = study_.session_order(stimuli::next_slot(taken));
         return plan;
     }
 

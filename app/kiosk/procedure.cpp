@@ -44,7 +44,8 @@ void Procedure::change_order(stimuli::SessionOrder order) {
 
 const StimulusImage& Procedure::image(int pair, int position) const {
     const auto condition = static_cast<std::size_t>(plan_.order.conditions.at(pair));
-    const std::size_t side = (position == 0) == plan_.order.swapped ? 1 : 0;
+    const std::size_t side =
+        (position == 0) == plan_.order.b_first(static_cast<std::size_t>(pair)) ? 1 : 0;
     return plan_.images.at(condition).at(side);
 }
 
@@ -212,7 +213,8 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .gpu_renderer = plan_.machine.gpu_renderer,
                     .display = plan_.machine.display,
                     .refresh_hz = plan_.machine.refresh_hz,
-                    .exclusion = study_->exclusion.to_json()};
+                    .exclusion = study_->exclusion.to_json(),
+                    .study_plan = study_->plan_json()};
     rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
     show(Screen::kInstructions);
     return {std::move(rows)};
@@ -234,7 +236,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     const auto index = static_cast<std::size_t>(plan_.order.conditions.at(pair_));
     const stimuli::Condition& condition = study_->conditions.at(index);
     const stimuli::StudyScene& scene = study_->scene_of(condition);
-    const bool a_first = !plan_.order.swapped;
+    const bool a_first = !plan_.order.b_first(static_cast<std::size_t>(pair_));
     analysis::TrialRecord row;
     row.session_id = plan_.session_id;
     row.kind = condition.expected != '\0' ? analysis::Kind::kCatch : plan_.kind;

@@ -111,8 +111,7 @@ void commit_begin(analysis::Store& store, const stimuli::Study& study, Procedure
         } catch (const base::Error&) {
             const auto slot = slot_instead(store, planned.session);
             if (!slot) throw;
-            procedure.change_order(
-                stimuli::session_order(study.order, procedure.pair_count(), study.seed, *slot));
+            procedure.change_order(study.session_order(*slot));
         }
     }
 }

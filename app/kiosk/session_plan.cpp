@@ -24,7 +24,7 @@ void require_same_images(const SessionPlan& plan, const std::vector<analysis::Tr
                          const std::vector<analysis::EventRecord>& events) {
     for (std::size_t i = 0; i < trials.size() && i < plan.order.conditions.size(); ++i) {
         const auto& pair = plan.images.at(static_cast<std::size_t>(plan.order.conditions[i]));
-        const std::size_t first = plan.order.swapped ? 1 : 0;
+        const std::size_t first = plan.order.b_first(i) ? 1 : 0;
         if (trials[i].first_sha256 != pair[first].sha256 ||
             trials[i].second_sha256 != pair[1 - first].sha256) {
             throw base::bad_input("the images {} and {} are not those that session {} showed",
@@ -70,8 +70,7 @@ SessionPlan plan_to_resume(const stimuli::Study& study, const stimuli::Manifest&
     plan.participant_id = session.participant_id;
     plan.session_id = session.session_id;
     plan.kind = session.kind;
-    plan.order = stimuli::session_order(study.order, static_cast<int>(study.conditions.size()),
-                                        study.seed, session.slot);
+    plan.order = study.session_order(session.slot);
     if (plan.order.latin_square != session.latin_square ||
         plan.order.latin_row != session.latin_row || plan.order.swapped != session.swapped) {
         throw base::bad_input(

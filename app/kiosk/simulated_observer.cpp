@@ -6,13 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
 #include "renderer/base/error.h"
-#include "renderer/base/hash.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -36,16 +33,8 @@ constexpr int kYoungest = 18;
 constexpr int kOldest = 56;
 constexpr double kShareOfWomen = 10.0 / 36.0;
 
-/// How often an attention check is answered as expected, and how often an answer to a pair seen
-/// before is the same because it is remembered. Plausible as well.
-constexpr double kAttentive = 0.95;
-constexpr double kRemembered = 0.6;
-
-/// Box and Muller 1958.
 [[nodiscard]] double draw(base::Random& random, const Duration& duration) {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-    const double normal = radius * std::cos(2.0 * std::numbers::pi * random.uniform());
-    return duration.median_s * std::exp(duration.sigma * normal);
+    return duration.median_s * std::exp(duration.sigma * draw_normal(random));
 }
 
 [[nodiscard]] Form draw_form(base::Random& random) {
@@ -62,20 +51,8 @@ struct Action {
     Event event;
 };
 
-/// What an observer chose of a pair: the condition, or the one that it repeats, to whether B was
-/// it.
-using Memory = std::map<std::size_t, bool>;
-
-[[nodiscard]] bool chooses_b(std::size_t condition, const ChoiceModel& choices,
-                             base::Random& random, Memory& memory) {
-    const bool drawn = random.uniform() < choices.probability_of_b.at(condition);
-    const std::size_t shown = choices.shown.empty() ? condition : choices.shown.at(condition);
-    const auto [seen, is_new] = memory.emplace(shown, drawn);
-    return !is_new && random.uniform() < kRemembered ? seen->second : drawn;
-}
-
-[[nodiscard]] Action next_action(const Procedure& procedure, const ChoiceModel& choices,
-                                 base::Random& random, Memory& memory) {
+[[nodiscard]] Action next_action(const Procedure& procedure, Observer& observer,
+                                 base::Random& random) {
     switch (procedure.screen()) {
         case Screen::kStart:
             return {draw(random, kPage), StartPressed{}};
@@ -92,8 +69,9 @@ using Memory = std::map<std::size_t, bool>;
             const stimuli::SessionOrder& order = procedure.plan().order;
             const auto condition = static_cast<std::size_t>(order.conditions.at(procedure.pair()));
             const double after_s = draw(random, kAnswering);
-            const bool b = chooses_b(condition, choices, random, memory);
-            return {after_s, Answered{b == order.swapped}};
+            const bool b_first = order.b_first(static_cast<std::size_t>(procedure.pair()));
+            const bool b = observer.chooses_b(condition, !b_first);
+            return {after_s, Answered{b == b_first}};
         }
         default:
             return {draw(random, kPage), NextParticipant{}};
@@ -108,42 +86,6 @@ void feed(Procedure& procedure, Journal& journal, const Event& event, const Mome
 }
 
 }  // namespace
-
-ChoiceModel choices_from(const stimuli::Study& study, const analysis::Tally& votes) {
-    ChoiceModel model;
-    const auto& conditions = study.conditions;
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-        const stimuli::Condition& condition = conditions[i];
-        const stimuli::Condition* original = study.find_condition(condition.repeats);
-        model.shown.push_back(
-            original == nullptr ? i : static_cast<std::size_t>(original - conditions.data()));
-        if (condition.expected != '\0') {
-            model.probability_of_b.push_back(condition.expected == 'B' ? kAttentive
-                                                                       : 1.0 - kAttentive);
-            continue;
-        }
-        const std::string& id = original == nullptr ? condition.id : original->id;
-        const auto published =
-            std::find_if(votes.conditions.begin(), votes.conditions.end(), [&](const auto& row) {
-                return row.id == id && row.variant_a == condition.a.variant_name() &&
-                       row.variant_b == condition.b.variant_name() && row.votes.a + row.votes.b > 0;
-            });
-        if (published == votes.conditions.end()) {
-            model.probability_of_b.push_back(0.5);
-            if (original == nullptr) model.unpublished.push_back(condition.id);
-        } else {
-            const auto a = static_cast<double>(published->votes.a);
-            const auto b = static_cast<double>(published->votes.b);
-            model.probability_of_b.push_back(b / (a + b));
-        }
-    }
-    return model;
-}
-
-std::uint64_t observer_seed(std::uint64_t study_seed, std::uint64_t number) {
-    const std::string hash = base::sha256_hex(fmt::format("observer {} {}", study_seed, number));
-    return std::stoull(hash.substr(0, 16), nullptr, 16);
-}
 
 void VirtualClock::pass_to_refresh(double earliest_s) {
     // A refresh that only rounding puts before `earliest_s` is the one.
@@ -162,7 +104,7 @@ Machine simulated_machine() {
 
 void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::Random& random,
                        VirtualClock& clock, Journal& journal) {
-    Memory memory;
+    Observer observer(choices, random);
     while (procedure.screen() != Screen::kDone) {
         clock.pass_to_refresh(0.0);
         feed(procedure, journal, ScreenPresented{}, clock.now());
@@ -171,7 +113,7 @@ void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::R
             feed(procedure, journal, Tick{clock.now().time_s}, clock.now());
             continue;
         }
-        const Action action = next_action(procedure, choices, random, memory);
+        const Action action = next_action(procedure, observer, random);
         // A page takes nothing at first, however quick the observer.
         clock.pass(std::max(action.after_s, procedure.takes_presses_from_s() - clock.now().time_s));
         feed(procedure, journal, action.event, clock.now());

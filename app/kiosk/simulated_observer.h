@@ -2,33 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include "analysis/tally.h"
+#include "app/kiosk/choice_model.h"
 #include "app/kiosk/journal.h"
 #include "app/kiosk/procedure.h"
 #include "renderer/base/random.h"
 
 namespace obscura::app::kiosk {
-
-/// How often simulated observers choose B.
-struct ChoiceModel {
-    std::vector<double> probability_of_b;  ///< by condition index, 0 to 1
-    std::vector<std::string> unpublished;  ///< conditions without votes, which get 1/2
-    /// By condition index: that of the condition whose images it shows, another one where it is a
-    /// repeat. Empty: each shows its own.
-    std::vector<std::size_t> shown = {};
-};
-
-/// Probabilities from votes: count_b / (count_a + count_b) for a condition of the same id and the
-/// same two variants, else 1/2. An attention check is mostly answered as expected; a
-/// repeat has the probability of what it repeats.
-[[nodiscard]] ChoiceModel choices_from(const stimuli::Study& study, const analysis::Tally& votes);
-
-/// The seed of the observer of that number, from the study's.
-[[nodiscard]] std::uint64_t observer_seed(std::uint64_t study_seed, std::uint64_t number);
 
 /// A clock that moves only when it is told to. Its time begins at 2000-01-01T00:00:00Z, so that
 /// nobody takes it for real.
@@ -47,9 +26,9 @@ class VirtualClock {
 
 /// Goes through a new procedure from its start to the end on a virtual clock, as a participant
 /// would: reads, looks for a while drawn from a log-normal distribution, waits out the grey
-/// interval, answers by `choices`, and often the same where it has seen the pair before. Its rows
-/// go through the journal before the next screen, as in the kiosk. The plan's kind must be
-/// simulated. Throws failure when a row cannot be saved.
+/// interval, answers as an Observer of `choices`. Its rows go through the journal before the next
+/// screen, as in the kiosk. The plan's kind must be simulated. Throws failure when a row cannot be
+/// saved.
 void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::Random& random,
                        VirtualClock& clock, Journal& journal);
 

@@ -14,6 +14,15 @@ bool Balance::columns_hold() const {
     return latin_squares == squares && sessions == squares * condition_count;
 }
 
+bool Balance::sides_hold_in_sessions() const {
+    const auto n = static_cast<std::size_t>(condition_count);
+    for (std::size_t first = 0; first <= n; ++first) {
+        const bool is_half = first == n / 2 || first == n - n / 2;
+        if (!is_half && sessions_with_a_first[first] > 0) return false;
+    }
+    return true;
+}
+
 bool Balance::neighbours_hold() const {
     const CountRange range = range_off_diagonal(neighbours);
     return range.low == range.high;
@@ -28,17 +37,21 @@ Balance balance_of(const std::vector<SessionOrder>& sessions, int condition_coun
     balance.at_position.assign(n, std::vector<long long>(n, 0));
     balance.a_first.assign(n, 0);
     balance.b_first.assign(n, 0);
+    balance.sessions_with_a_first.assign(n + 1, 0);
     balance.neighbours.assign(n, std::vector<long long>(n, 0));
     Square square;
     for (const SessionOrder& session : sessions) {
         const std::vector<int>& row = session.conditions;
         const bool complete = row.size() == n && std::set<int>(row.begin(), row.end()).size() == n;
         balance.complete_rows += complete ? 1 : 0;
+        std::size_t a_first = 0;
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (i < n) ++balance.at_position[row[i]][i];
-            ++(session.swapped ? balance.b_first : balance.a_first)[row[i]];
+            ++(session.b_first(i) ? balance.b_first : balance.a_first)[row[i]];
+            if (!session.b_first(i)) ++a_first;
             if (i > 0) ++balance.neighbours[row[i - 1]][row[i]];
         }
+        ++balance.sessions_with_a_first.at(std::min(a_first, n));
         square.push_back(row);
         if (square.size() < n) continue;
         ++balance.squares;

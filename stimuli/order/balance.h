@@ -24,6 +24,8 @@ struct Balance {
     std::vector<std::vector<long long>> at_position;  ///< [condition][position], n x n
     std::vector<long long> a_first;                   ///< sessions with image A first
     std::vector<long long> b_first;
+    /// Sessions by how many of their pairs have image A first: 0 .. n.
+    std::vector<long long> sessions_with_a_first;
     NeighbourCounts neighbours;  ///< [left][right]: how often right came directly after left
 
     /// Every condition once in each session.
@@ -32,6 +34,8 @@ struct Balance {
     [[nodiscard]] bool columns_hold() const;
     /// Every image of a pair was first as often as the other.
     [[nodiscard]] bool sides_hold() const { return a_first == b_first; }
+    /// Each side first in half of the pairs of every session, one more or less where they are odd.
+    [[nodiscard]] bool sides_hold_in_sessions() const;
     /// Every condition came directly after every other one equally often.
     [[nodiscard]] bool neighbours_hold() const;
 };

@@ -131,17 +131,33 @@ std::optional<OrderKind> order_kind_from(std::string_view name) {
     return std::nullopt;
 }
 
+std::string_view to_string(SideOrder sides) {
+    return sides == SideOrder::kTrial ? "trial" : "session";
+}
+
+std::optional<SideOrder> side_order_from(std::string_view name) {
+    for (const SideOrder sides : kSideOrders) {
+        if (to_string(sides) == name) return sides;
+    }
+    return std::nullopt;
+}
+
 SessionOrder session_order(OrderKind kind, int condition_count, std::uint64_t seed,
-                           std::uint64_t slot) {
-    return Scheduler(kind, condition_count, seed).at(slot);
+                           std::uint64_t slot, SideOrder sides) {
+    SessionOrder order = Scheduler(kind, condition_count, seed).at(slot);
+    order.sides = sides;
+    return order;
 }
 
 std::vector<SessionOrder> session_orders(OrderKind kind, int condition_count, std::uint64_t seed,
-                                         std::uint64_t slot_count) {
+                                         std::uint64_t slot_count, SideOrder sides) {
     Scheduler scheduler(kind, condition_count, seed);
     std::vector<SessionOrder> orders;
     orders.reserve(slot_count);
-    for (std::uint64_t slot = 0; slot < slot_count; ++slot) orders.push_back(scheduler.at(slot));
+    for (std::uint64_t slot = 0; slot < slot_count; ++slot) {
+        orders.push_back(scheduler.at(slot));
+        orders.back().sides = sides;
+    }
     return orders;
 }
 

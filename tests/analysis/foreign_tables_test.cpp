@@ -327,6 +327,15 @@ TEST(ForeignTables, RowsThatAreEqualAndRepeatedVotesAreSaid) {
                                                HasSubstr("line 5; the first of them to line 4"))));
 }
 
+TEST(ForeignTables, APairOfOneNameTwiceIsSaidSinceNothingTellsWhichIsA) {
+    const std::string table =
+        "observer,condition,condition_A,condition_B,is_A_selected\n"
+        "P01,I,blizzard,blizzard,1\n"
+        "P01,II,none,blizzard,0\n";
+    EXPECT_THAT(tally_of_foreign(table).notes,
+                ElementsAre(HasSubstr("condition I compares two variants of one name")));
+}
+
 TEST(ForeignTables, MillisecondsTakenForSecondsAreSaid) {
     const std::string bytes = replaced(kPlain, ".", "");
     EXPECT_THAT(tally_of_foreign(bytes).notes,

@@ -38,6 +38,30 @@ TEST(Balance, SeesAConditionThatIsShownTwice) {
     EXPECT_FALSE(balance.columns_hold());
 }
 
+TEST(Balance, SidesOfATrialHoldInEverySessionAndOverABlockOfAnyOrder) {
+    for (const OrderKind kind : kOrderKinds) {
+        for (int n = 2; n <= 9; ++n) {
+            const auto block = block_size(kind, n);
+            const Balance balance =
+                balance_of(session_orders(kind, n, 20100501, 3 * block, SideOrder::kTrial), n);
+            EXPECT_TRUE(balance.sides_hold()) << to_string(kind) << n;
+            EXPECT_TRUE(balance.sides_hold_in_sessions()) << to_string(kind) << n;
+            EXPECT_FALSE(balance_of_kind(kind, n, block).sides_hold_in_sessions())
+                << to_string(kind) << n << ": not where a session has one side";
+        }
+    }
+}
+
+TEST(Balance, OfATrialHasAFirstWhereTheSlotsRoundAndTheConditionsIndexAreEvenTogether) {
+    const auto orders = session_orders(OrderKind::kLatinSquare, 7, 20100501, 28, SideOrder::kTrial);
+    for (const SessionOrder& order : orders) {
+        for (std::size_t i = 0; i < order.conditions.size(); ++i) {
+            const auto condition = static_cast<std::uint64_t>(order.conditions[i]);
+            EXPECT_EQ(order.b_first(i), (order.slot / 7 + condition) % 2 == 1);
+        }
+    }
+}
+
 TEST(Balance, AWholeBlockOfTheThesisHoldsAllButCarryOver) {
     const Balance balance = balance_of_kind(OrderKind::kLatinSquare, 7, 28);
     EXPECT_TRUE(balance.rows_hold());

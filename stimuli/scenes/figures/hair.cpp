@@ -148,31 +148,36 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
     add_wisps(figure, hair, scalp, 0.10F, colour);
 }
 
-void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
-    const Scalp scalp{at, scale};
-    Sculpture& hair = part.solid;
-    const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
+namespace {
+
+float jitter(base::Random& random, float size) {
+    return static_cast<float>(random.uniform(-size, size));
+}
+
+/// Close to the skull, the face and the neck left free.
+void add_cap(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour) {
     hair.add(ellipsoid(scalp.local(0.0F, 0.037F, -0.013F),
-                       scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), at.axes),
+                       scalp.scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), scalp.at.axes),
              {0.0F, colour, true});
-    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F), scale * glm::vec3(0.068F, 0.050F, 0.058F),
-                       at.axes),
-             {scale * 0.012F, colour, true});
+    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F),
+                       scalp.scale * glm::vec3(0.068F, 0.050F, 0.058F), scalp.at.axes),
+             {scalp.scale * 0.012F, colour, true});
     hair.carve(ellipsoid(scalp.local(0.0F, -0.030F, 0.090F),
-                         scale * glm::vec3(0.0665F, 0.094F, 0.064F), at.axes),
-               {scale * 0.005F, colour, false});
+                         scalp.scale * glm::vec3(0.0665F, 0.094F, 0.064F), scalp.at.axes),
+               {scalp.scale * 0.005F, colour, false});
     for (const float x : {-1.0F, 1.0F}) {
         hair.carve(ellipsoid(scalp.local(x * 0.078F, -0.036F, 0.022F),
-                             scale * glm::vec3(0.026F, 0.044F, 0.046F), at.axes),
-                   {scale * 0.005F, colour, false});
+                             scalp.scale * glm::vec3(0.026F, 0.044F, 0.046F), scalp.at.axes),
+                   {scalp.scale * 0.005F, colour, false});
     }
     hair.carve(half_space(scalp.local(0.0F, -0.052F, -0.06F),
-                          at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, -0.55F))),
-               {scale * 0.006F, colour, false});
-    base::Random random(23);
-    const auto jitter = [&](float size) { return static_cast<float>(random.uniform(-size, size)); };
-    // Drawn back from the whole hairline to the knot.
+                          scalp.at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, -0.55F))),
+               {scalp.scale * 0.006F, colour, false});
+}
+
+/// Drawn back from the whole hairline to the knot.
+void add_drawn_back(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour,
+                    base::Random& random) {
     constexpr int kLocks = 46;
     for (int i = 0; i < kLocks; ++i) {
         const float part_of = (static_cast<float>(i) + 0.5F) / kLocks;
@@ -184,45 +189,52 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
                  {{turn, rise, 0.0015F, 0.0065F},
                   {turn + 0.33F * (end_turn - turn),
                    rise + 0.45F * (1.25F - rise) * std::exp(-0.6F * turn * turn),
-                   0.0045F + jitter(0.0012F), 0.0085F},
+                   0.0045F + jitter(random, 0.0012F), 0.0085F},
                   {turn + 0.70F * (end_turn - turn),
                    end_rise + 0.40F * std::exp(-0.6F * turn * turn), 0.0045F, 0.0075F},
                   {end_turn, end_rise, 0.003F, 0.006F}},
-                 0.50F, colour * (0.9F + jitter(0.14F)));
+                 0.50F, colour * (0.9F + jitter(random, 0.14F)));
     }
-    // Two strands have come loose beside the face.
+}
+
+/// Two strands have come loose beside the face.
+void add_loose_strands(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour) {
     for (const float x : {-1.0F, 1.0F}) {
         for (int i = 0; i < 2; ++i) {
             const float t = static_cast<float>(i);
             hair.add(tube(make_curve(
-                         {{scalp.local(x * (0.028F + 0.014F * t), 0.090F, 0.066F), scale * 0.0055F,
-                           scale * 0.0048F},
+                         {{scalp.local(x * (0.028F + 0.014F * t), 0.090F, 0.066F),
+                           scalp.scale * 0.0055F, scalp.scale * 0.0048F},
                           {scalp.local(x * (0.060F + 0.008F * t), 0.062F - 0.01F * t,
                                        0.074F - 0.012F * t),
-                           scale * 0.0055F, scale * 0.0048F},
+                           scalp.scale * 0.0055F, scalp.scale * 0.0048F},
                           {scalp.local(x * (0.074F + 0.004F * t), 0.010F, 0.052F - 0.012F * t),
-                           scale * 0.0052F, scale * 0.0048F},
+                           scalp.scale * 0.0052F, scalp.scale * 0.0048F},
                           {scalp.local(x * (0.072F + 0.003F * t), -0.050F + 0.012F * t,
                                        0.046F - 0.008F * t),
-                           scale * 0.0050F, scale * 0.0046F},
+                           scalp.scale * 0.0050F, scalp.scale * 0.0046F},
                           {scalp.local(x * (0.062F + 0.006F * t), -0.092F + 0.02F * t, 0.052F),
-                           scale * 0.0042F, 0.0F}},
-                         5, at.axes[2])),
-                     {scale * 0.002F, colour * (1.0F - 0.08F * t), true});
+                           scalp.scale * 0.0042F, 0.0F}},
+                         5, scalp.at.axes[2])),
+                     {scalp.scale * 0.002F, colour * (1.0F - 0.08F * t), true});
         }
     }
-    hair.add(ellipsoid(knot, scale * glm::vec3(0.021F, 0.021F, 0.017F), at.axes),
-             {scale * 0.006F, colour * 0.35F, true});
+}
+
+void add_tail(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour, base::Random& random) {
+    const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
+    hair.add(ellipsoid(knot, scalp.scale * glm::vec3(0.021F, 0.021F, 0.017F), scalp.at.axes),
+             {scalp.scale * 0.006F, colour * 0.35F, true});
     for (int i = 0; i < 9; ++i) {
         const float angle = 2.0F * kTurnHalf * static_cast<float>(i) / 8.0F;
         const float r = i == 8 ? 0.0F : 1.0F;
         const float dx = r * std::cos(angle);
         const float dz = r * std::sin(angle);
         const auto strand = [&](float x, float y, float z, float spread, float w) {
-            const float to_side = jitter(0.002F);
-            const float to_front = jitter(0.002F);
+            const float to_side = jitter(random, 0.002F);
+            const float to_front = jitter(random, 0.002F);
             return Knot{scalp.local(x + spread * dx + to_side, y, z + spread * dz + to_front),
-                        scale * w, 0.0F};
+                        scalp.scale * w, 0.0F};
         };
         hair.add(tube(make_curve({strand(0.0F, 0.064F, -0.112F, 0.006F, 0.010F),
                                   strand(0.006F, 0.068F, -0.150F, 0.012F, 0.012F),
@@ -232,9 +244,22 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
                                   strand(0.098F, -0.215F, -0.055F, 0.016F, 0.011F),
                                   strand(0.104F, -0.285F, 0.010F, 0.012F, 0.008F),
                                   strand(0.098F, -0.345F + 0.03F * dx, 0.050F, 0.006F, 0.0015F)},
-                                 6, at.axes[0])),
-                 {scale * 0.003F, colour * (0.92F + jitter(0.10F)), true});
+                                 6, scalp.at.axes[0])),
+                 {scalp.scale * 0.003F, colour * (0.92F + jitter(random, 0.10F)), true});
     }
+}
+
+}  // namespace
+
+void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
+    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
+    const Scalp scalp{at, scale};
+    Sculpture& hair = part.solid;
+    base::Random random(23);
+    add_cap(hair, scalp, colour);
+    add_drawn_back(hair, scalp, colour, random);
+    add_loose_strands(hair, scalp, colour);
+    add_tail(hair, scalp, colour, random);
     hair.displace(strands(scale * 0.0006F, [at, scale](const glm::vec3& p) {
         const glm::vec3 q = ((p - at.origin_m) * at.axes) / scale;
         return 900.0F * q.x + 260.0F * q.y;

@@ -70,8 +70,7 @@ void put_bench(Assembly& garden, const glm::mat4& place) {
     }
 }
 
-/// A fluted urn with handles on a panelled pedestal, planted.
-void put_urn(Assembly& garden, const glm::mat4& place) {
+void put_pedestal(Assembly& garden, const glm::mat4& place) {
     garden.put(Surface::kStone, bevelled_box({0.56F, 0.10F, 0.56F}, 0.015F),
                place * moved(0.0F, 0.05F, 0.0F), 331U);
     garden.put(Surface::kStone, bevelled_box({0.48F, 0.06F, 0.48F}, 0.02F),
@@ -91,7 +90,9 @@ void put_urn(Assembly& garden, const glm::mat4& place) {
                place * moved(0.0F, 0.67F, 0.0F), 336U);
     garden.put(Surface::kStone, bevelled_box({0.55F, 0.05F, 0.55F}, 0.018F),
                place * moved(0.0F, 0.715F, 0.0F), 337U);
-    const glm::mat4 urn = place * moved(0.0F, 0.74F, 0.0F);
+}
+
+void put_bowl(Assembly& garden, const glm::mat4& urn) {
     garden.put(Surface::kStone, bevelled_box({0.24F, 0.04F, 0.24F}, 0.008F),
                urn * moved(0.0F, 0.02F, 0.0F), 338U);
     const std::array<vec2, 9> foot{{{0.0F, 0.04F},
@@ -138,7 +139,10 @@ void put_urn(Assembly& garden, const glm::mat4& place) {
                                           {side * 0.22F, 0.43F, 0.0F}}};
         garden.put(Surface::kStone, pipe(handle, 0.06F, 0.017F, 12), urn, 343U);
     }
-    // Trailing ivy and an upright clump.
+}
+
+/// Trailing ivy and an upright clump.
+void put_plants(Assembly& garden, const glm::mat4& urn) {
     base::Random random(345);
     for (int i = 0; i < 30; ++i) {
         const float turn = draw(random, 0.0F, 6.2832F);
@@ -173,6 +177,14 @@ void put_urn(Assembly& garden, const glm::mat4& place) {
             urn * about_y(turn) * moved(0.0F, 0.475F, r) * about_x(draw(random, 0.1F, 1.1F)),
             shade_of(static_cast<std::uint32_t>(i) + 1900U, 0.35F));
     }
+}
+
+/// A fluted urn with handles on a panelled pedestal, planted.
+void put_urn(Assembly& garden, const glm::mat4& place) {
+    put_pedestal(garden, place);
+    const glm::mat4 urn = place * moved(0.0F, 0.74F, 0.0F);
+    put_bowl(garden, urn);
+    put_plants(garden, urn);
 }
 
 Mesh pot_shape() {

@@ -127,8 +127,36 @@ TEST_F(StudyCommands, PlanAsJsonHasAnEntryForEachParticipantAndTheSameVerdicts) 
     ASSERT_EQ(json["participants"].size(), 7U);
     EXPECT_EQ(json["participants"][2]["participant"], 3);
     EXPECT_EQ(json["participants"][2]["swapped"], true);
-    EXPECT_EQ(json["participants"][2]["first_image"], "b");
+    EXPECT_EQ(json["participants"][2]["first_images"], nlohmann::json({"b", "b"}));
     EXPECT_EQ(json["participants"][2]["conditions"], json["participants"][0]["conditions"]);
+}
+
+TEST_F(StudyCommands, PlanProvesThatSidesOfATrialBalanceWithinEverySession) {
+    write_bad("seed = 7", "seed = 7\nsides = \"trial\"");
+    const ProgramRun run = run_program(folder_, "plan bad.toml --participants 4");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("sides trial"));
+    EXPECT_THAT(run.out, HasSubstr("holds           each side first equally often in each session: "
+                                   "A first in 1 of 2 pairs in 4 sessions"));
+    const ProgramRun by_session = run_program(folder_, "plan good.toml --participants 4");
+    EXPECT_THAT(by_session.out, HasSubstr("sides = \"trial\" does that"));
+}
+
+TEST_F(StudyCommands, PlanShowsTheFamilyAndWhatCannotBePooledBeforeAnybodyAnswers) {
+    write_bad("b = { technique = \"raymarch\" }",
+              "b = { technique = \"hbao\" }\n"
+              "[[hypothesis]]\nid = \"P\"\nstatement = \"More is better.\"\n"
+              "kind = \"preference\"\nconditions = [\"one\"]\n"
+              "[[hypothesis]]\nid = \"Q\"\nstatement = \"All of it.\"\n"
+              "kind = \"preference\"\nconditions = [\"one\", \"two\"]\n");
+    const ProgramRun run = run_program(folder_, "plan bad.toml --participants 4");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("P, primary preference, margin 15 points: one\n"
+                                   "      More is better.\n"));
+    EXPECT_THAT(run.out, HasSubstr("cannot be tested, and counts as p = 1"));
+    EXPECT_THAT(run.out, HasSubstr("Holm's correction is over 2 tests"));
+    EXPECT_THAT(run_program(folder_, "check bad.toml").out,
+                HasSubstr("warning: hypothesis Q cannot be tested"));
 }
 
 TEST_F(StudyCommands, HelpNamesTheOptions) {

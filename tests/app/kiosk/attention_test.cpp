@@ -30,8 +30,7 @@ class AttentionInSession : public testing::Test {
         plan.participant_id = fmt::format("p-{}", number);
         plan.session_id = fmt::format("s-{}", number);
         plan.kind = Kind::kSimulated;
-        plan.order = stimuli::session_order(study_.order, 4, study_.seed,
-                                            static_cast<std::uint64_t>(number));
+        plan.order = study_.session_order(static_cast<std::uint64_t>(number));
         return plan;
     }
     void observe(int number) {
@@ -65,6 +64,24 @@ TEST_F(AttentionInSession, EachTrialIsRecordedAsWhatItIsAndAllCountTowardsTheEnd
     EXPECT_EQ(trials["one-again"].kind, Kind::kSimulated);
     EXPECT_EQ(trials["one-again"].repeats, "one");
     EXPECT_EQ(trials["one-again"].condition_B, trials["one"].condition_B);
+}
+
+TEST_F(AttentionInSession, SidesOfATrialAreShownAndRecordedAsTheOrderHasThem) {
+    study_.sides = stimuli::SideOrder::kTrial;
+    observe(0);
+    const auto order = study_.session_order(0);
+    const SessionPlan shown = plan(0);
+    const auto trials = store_.trials();
+    ASSERT_EQ(trials.size(), 4U);
+    int b_first = 0;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        EXPECT_EQ(trials[i].first_shown, order.b_first(i) ? 'B' : 'A');
+        const auto& images = shown.images.at(static_cast<std::size_t>(order.conditions[i]));
+        EXPECT_EQ(trials[i].first_sha256, images[order.b_first(i) ? 1 : 0].sha256);
+        if (order.b_first(i)) ++b_first;
+    }
+    EXPECT_EQ(b_first, 2);
+    EXPECT_EQ(store_.sessions().at(0).study_plan, R"({"sides":"trial"})");
 }
 
 TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair) {
