@@ -3,7 +3,7 @@
 #include "analysis/published_votes.h"
 
 #include "analysis/counts_file.h"
-#include "analysis/embedded.h"
+#include "analysis/text/embedded.h"
 
 namespace obscura::analysis {
 

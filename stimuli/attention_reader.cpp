@@ -37,9 +37,28 @@ bool any_condition(const Study& study, const Is& is) {
     return std::any_of(study.conditions.begin(), study.conditions.end(), is);
 }
 
+/// Whether a condition has the key, or one that was meant to be it; true of no conditions at all,
+/// of which something else is said.
+bool any_has(const std::vector<const toml::table*>& conditions, const std::string& key) {
+    return conditions.empty() ||
+           std::any_of(conditions.begin(), conditions.end(), [&](const toml::table* table) {
+               std::vector<StudyProblem> ignored;
+               const TableReader reader(*table, "", ignored);
+               return reader.has(key) || reader.is_misspelt(key);
+           });
+}
+
 }  // namespace
 
 char read_expected(TableReader& reader) {
+    const toml::node* const given = reader.table().get("catch");
+    if (given != nullptr && !given->is_string()) {
+        reader.allow("catch");
+        reader.add(
+            "catch",
+            "is no text, allowed are \"a\", \"b\": the side that an attentive observer picks");
+        return '\0';
+    }
     const auto side = reader.text("catch", Need::kOptional);
     if (!side) return '\0';
     if (*side == "a") return 'A';
@@ -90,6 +109,10 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
         const std::string where = fmt::format("condition {}", in_quotes(repeat.id));
         TableReader reader(*tables[i], where, problems);
         const Condition* original = study.find_condition(repeat.repeats);
+        if (original == nullptr &&
+            any_condition(study, [](const auto& c) { return c.id.empty(); })) {
+            continue;  // it may be the one whose id is wrong
+        }
         if (original == nullptr) {
             reader.add("repeats", fmt::format("{} is no condition, allowed are {}{}",
                                               in_quotes(repeat.repeats), listed(repeatable),
@@ -113,18 +136,17 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
     }
 }
 
-void read_exclusion(const toml::table& table, Study& study, std::vector<StudyProblem>& problems) {
+void read_exclusion(const toml::table& table, const std::vector<const toml::table*>& conditions,
+                    Study& study, std::vector<StudyProblem>& problems) {
     TableReader reader(table, "exclusion", problems);
     ExclusionRule& rule = study.exclusion;
     rule.min_catch_correct = read_bound(reader, "min_catch_correct", 1.0);
     rule.min_repeat_agreement = read_bound(reader, "min_repeat_agreement", 1.0);
     rule.min_response_time_s = read_bound(reader, "min_response_time_s", kLongestResponse_s);
-    if (rule.min_catch_correct &&
-        !any_condition(study, [](const auto& c) { return c.expected != '\0'; })) {
+    if (rule.min_catch_correct && !any_has(conditions, "catch")) {
         reader.add("min_catch_correct", "no condition has the key catch: nothing can be judged");
     }
-    if (rule.min_repeat_agreement &&
-        !any_condition(study, [](const auto& c) { return !c.repeats.empty(); })) {
+    if (rule.min_repeat_agreement && !any_has(conditions, "repeats")) {
         reader.add("min_repeat_agreement",
                    "no condition has the key repeats: nothing can be judged");
     }

@@ -29,6 +29,7 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
                      std::vector<StudyProblem>& problems);
 
 /// The rule of exclusion; refuses one that asks for what the study's conditions cannot tell.
-void read_exclusion(const toml::table& table, Study& study, std::vector<StudyProblem>& problems);
+void read_exclusion(const toml::table& table, const std::vector<const toml::table*>& conditions,
+                    Study& study, std::vector<StudyProblem>& problems);
 
 }  // namespace obscura::stimuli

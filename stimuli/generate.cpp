@@ -261,6 +261,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         const std::string bytes = encode_png(image);
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
+        entry.mean_luminance = mean_luminance(image);
         base::write_file_atomically(folder / entry.file, bytes);
         made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});

@@ -28,6 +28,10 @@ class Lab {
                 t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0);
         }
     }
+    /// Relative luminance Y.
+    [[nodiscard]] float luminance(const std::uint8_t* code) const {
+        return 0.2126F * light_[code[0]] + 0.7152F * light_[code[1]] + 0.0722F * light_[code[2]];
+    }
     [[nodiscard]] glm::vec3 operator()(const std::uint8_t* code) const {
         const float r = light_[code[0]];
         const float g = light_[code[1]];
@@ -48,7 +52,21 @@ class Lab {
     std::array<float, kSteps + 1> root_{};
 };
 
+const Lab& lab() {
+    static const Lab tables;
+    return tables;
+}
+
 }  // namespace
+
+double mean_luminance(const RgbImage& image) {
+    if (image.rgb.empty()) throw base::bad_input("an image without pixels has no luminance");
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+        sum += static_cast<double>(lab().luminance(&image.rgb[i]));
+    }
+    return sum / static_cast<double>(image.rgb.size() / 3);
+}
 
 ImageDifference difference_of(const RgbImage& a, const RgbImage& b) {
     if (a.width != b.width || a.height != b.height || a.rgb.size() != b.rgb.size() ||
@@ -56,7 +74,6 @@ ImageDifference difference_of(const RgbImage& a, const RgbImage& b) {
         throw base::bad_input("two images to compare have {}x{} and {}x{} pixels", a.width,
                               a.height, b.width, b.height);
     }
-    static const Lab lab;
     std::size_t differing = 0;
     std::size_t over = 0;
     double thresholds = 0.0;
@@ -64,7 +81,7 @@ ImageDifference difference_of(const RgbImage& a, const RgbImage& b) {
     for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
         if (std::equal(&a.rgb[i], &a.rgb[i] + 3, &b.rgb[i])) continue;
         ++differing;
-        const float delta_e = glm::distance(lab(&a.rgb[i]), lab(&b.rgb[i]));
+        const float delta_e = glm::distance(lab()(&a.rgb[i]), lab()(&b.rgb[i]));
         largest = std::max(largest, delta_e);
         if (delta_e < kJustNoticeable_delta_e) continue;
         ++over;

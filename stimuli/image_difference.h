@@ -17,6 +17,11 @@ inline constexpr double kJustNoticeable_delta_e = 2.3;
 /// times area stays the same (Ricco's law, Wyszecki & Stiles 1982, "Color Science", 7.3).
 inline constexpr double kLeastVisible = 1e-4;
 
+/// Below this sum most observers of a pair will guess; what an attention check shows must be
+/// kObvious or more.
+inline constexpr double kHardlyVisible = 10.0 * kLeastVisible;
+inline constexpr double kObvious = 100.0 * kLeastVisible;
+
 /// How far two images are apart, seen as sRGB under D65.
 struct ImageDifference {
     double differing = 0.0;        ///< share of pixels that are not the same, [0, 1]
@@ -31,5 +36,9 @@ struct ImageDifference {
 
 /// Throws bad input for images of different sizes or without pixels.
 [[nodiscard]] ImageDifference difference_of(const RgbImage& a, const RgbImage& b);
+
+/// Of all pixels, as a share of display white, [0, 1]. Throws bad input for an image without
+/// pixels.
+[[nodiscard]] double mean_luminance(const RgbImage& image);
 
 }  // namespace obscura::stimuli

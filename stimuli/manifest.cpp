@@ -59,6 +59,11 @@ Json to_json(const ManifestImage& image) {
     json["tone_mapping"] = to_json(image.tone_mapping);
     json["passes"] = image.passes;
     json["milliseconds"] = image.milliseconds;
+    const auto or_null = [](const std::optional<double>& value) {
+        return value ? Json(*value) : Json(nullptr);
+    };
+    json["mean_luminance"] = or_null(image.mean_luminance);
+    json["mean_occlusion"] = or_null(image.mean_occlusion);
     json["inputs_sha256"] = image.inputs_sha256;
     return json;
 }
@@ -86,6 +91,12 @@ ManifestImage image_from(const Json& json) {
     const Json occluding = json.value("occluding_opacity", Json());
     if (!occluding.is_null()) image.occluding_opacity = occluding.get<float>();
     image.tone_mapping = tone_mapping_from(json.value("tone_mapping", Json()));
+    const auto read = [&json](const char* name, std::optional<double>& value) {
+        const Json found = json.value(name, Json());
+        if (!found.is_null()) value = found.get<double>();
+    };
+    read("mean_luminance", image.mean_luminance);
+    read("mean_occlusion", image.mean_occlusion);
     json.at("passes").get_to(image.passes);
     json.at("milliseconds").get_to(image.milliseconds);
     json.at("inputs_sha256").get_to(image.inputs_sha256);

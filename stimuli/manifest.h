@@ -48,6 +48,11 @@ struct ManifestImage {
     /// Of all passes when it was made, compiling shaders included; surfaces, shadow maps and light
     /// that several images share count for each of them.
     double milliseconds = 0.0;
+    /// Of the image's pixels, as a share of display white (IEC 61966-2-1); nothing: not measured.
+    std::optional<double> mean_luminance;
+    /// 1 less the mean accessibility, after its filter, over the whole image; nothing: not
+    /// measured, or a technique that makes colour.
+    std::optional<double> mean_occlusion;
     std::string
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };

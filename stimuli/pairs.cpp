@@ -117,8 +117,31 @@ std::vector<std::string> falsely_identical_pairs(const Study& study,
     return sentences;
 }
 
+std::vector<std::string> faint_pairs(const Study& study, const std::vector<ManifestPair>& pairs) {
+    std::vector<std::string> sentences;
+    for (const ManifestPair& pair : pairs) {
+        const Condition* condition = study.find_condition(pair.condition);
+        if (condition == nullptr || condition->identical || !pair.difference.can_be_seen())
+            continue;
+        const bool is_catch = condition->expected != '\0';
+        if (pair.difference.visible >= (is_catch ? kObvious : kHardlyVisible)) continue;
+        sentences.push_back(fmt::format(
+            "condition \"{}\": its two images hardly differ ({:.3g} % of the pixels by a "
+            "just-noticeable {} in CIELAB or more, the most {:.3g}): {}",
+            pair.condition, 100.0 * pair.difference.over_threshold, kJustNoticeable_delta_e,
+            pair.difference.largest_delta_e,
+            is_catch ? "as an attention check (catch) it is hard to see, and attentive observers "
+                       "may fail it"
+                     : "most observers will guess"));
+    }
+    return sentences;
+}
+
 std::vector<std::string> warnings_of(const Study& study, const std::vector<ManifestPair>& pairs) {
     std::vector<std::string> sentences = alike_pairs(study, pairs);
+    for (std::string& sentence : faint_pairs(study, pairs)) {
+        sentences.push_back(std::move(sentence));
+    }
     for (std::string& sentence : falsely_identical_pairs(study, pairs)) {
         sentences.push_back(std::move(sentence));
     }

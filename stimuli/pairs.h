@@ -46,7 +46,12 @@ class PairsInTheMaking {
 [[nodiscard]] std::vector<std::string> falsely_identical_pairs(
     const Study& study, const std::vector<ManifestPair>& pairs);
 
-/// Both of them.
+/// A sentence for each pair that can be seen and hardly differs (kHardlyVisible), and for each
+/// attention check that is not obvious (kObvious).
+[[nodiscard]] std::vector<std::string> faint_pairs(const Study& study,
+                                                   const std::vector<ManifestPair>& pairs);
+
+/// All of them.
 [[nodiscard]] std::vector<std::string> warnings_of(const Study& study,
                                                    const std::vector<ManifestPair>& pairs);
 

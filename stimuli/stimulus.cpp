@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -191,6 +192,11 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
         image.passes.push_back(time.name);
     }
     image.milliseconds = frame.milliseconds();
+    if (!frame.plan().makes_colour) {
+        const std::vector<float> open = frame.read_accessibility();
+        image.mean_occlusion =
+            1.0 - std::accumulate(open.begin(), open.end(), 0.0) / static_cast<double>(open.size());
+    }
     image.inputs_sha256 = inputs_sha256(stimulus);
     return image;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "renderer/base/hash.h"
@@ -189,24 +190,46 @@ std::optional<renderer::Variant> read_side(TableReader& reader, const std::strin
     return variant;
 }
 
-Condition read_condition(TableReader& reader, const std::string& where,
-                         const std::vector<std::string>& scene_ids, Problems& problems) {
+/// The scenes that conditions may name.
+struct KnownScenes {
+    std::vector<std::string> ids;
+    bool is_complete = true;                            ///< every scene has an id
+    std::map<std::string, std::size_t> undefined = {};  ///< where in the problems each was noted
+};
+
+/// A name that several conditions have wrong is one mistake, and a scene without an id may be the
+/// one that is meant.
+void require_scene(TableReader& reader, const std::string& scene, const std::string& where,
+                   KnownScenes& scenes, Problems& problems) {
+    if (!scenes.is_complete ||
+        std::find(scenes.ids.begin(), scenes.ids.end(), scene) != scenes.ids.end()) {
+        return;
+    }
+    const auto [noted, is_new] = scenes.undefined.emplace(scene, problems.size());
+    if (!is_new) {
+        problems[noted->second].message += fmt::format("; the same in {}", where);
+        return;
+    }
+    reader.add("scene",
+               fmt::format("{} is not defined by a [[scene]], defined are {}{}", in_quotes(scene),
+                           listed(scenes.ids), did_you_mean(scene, scenes.ids)));
+}
+
+Condition read_condition(TableReader& reader, const std::string& where, KnownScenes& scenes,
+                         Problems& problems) {
     Condition condition;
     condition.id = read_id(reader, "id");
     condition.expected = read_expected(reader);
-    if (reader.has("repeats")) {
+    if (reader.has("repeats") || (reader.is_misspelt("repeats") && !reader.has("scene"))) {
         read_repeats(reader, condition);
         return condition;
     }
     const auto scene = reader.text("scene", Need::kRequired);
     if (scene) {
         condition.scene = *scene;
-        if (std::find(scene_ids.begin(), scene_ids.end(), *scene) == scene_ids.end()) {
-            reader.add("scene", fmt::format("{} is not defined by a [[scene]], defined are {}{}",
-                                            in_quotes(*scene), listed(scene_ids),
-                                            did_you_mean(*scene, scene_ids)));
-        }
+        require_scene(reader, *scene, where, scenes, problems);
     }
+    reader.allow("repeats");
     condition.hypothesis = reader.text("hypothesis", Need::kOptional).value_or("");
     condition.identical = read_identical(reader, condition);
     const auto a = read_side(reader, "a", where, problems);
@@ -248,13 +271,15 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     if (table != nullptr) read_study_table(*table, study, problems);
 
     std::set<std::string> seen;
-    std::vector<std::string> scene_ids;
+    KnownScenes known;
     const auto scenes = read_entries(reader, "scene");
+    known.is_complete = !reader.is_misspelt("scene");
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         TableReader entry(*scenes[i], name_of_entry(*scenes[i], "scene", i), problems);
         study.scenes.push_back(scene_reader.read(entry, read_id(entry, "id"), problems));
         const std::string& id = study.scenes.back().id;
-        if (!id.empty() && !seen.contains(id)) scene_ids.push_back(id);
+        if (id.empty()) known.is_complete = false;
+        if (!id.empty() && !seen.contains(id)) known.ids.push_back(id);
         refuse_second(entry, id, seen);
     }
     seen.clear();
@@ -262,11 +287,12 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     for (std::size_t i = 0; i < conditions.size(); ++i) {
         const std::string where = name_of_entry(*conditions[i], "condition", i);
         TableReader entry(*conditions[i], where, problems);
-        study.conditions.push_back(read_condition(entry, where, scene_ids, problems));
+        study.conditions.push_back(read_condition(entry, where, known, problems));
         refuse_second(entry, study.conditions.back().id, seen);
     }
     const toml::node* array = root.get("condition");
-    if (array == nullptr || array->is_array()) check_condition_count(study, conditions, problems);
+    const bool is_counted = array == nullptr ? !reader.is_misspelt("condition") : array->is_array();
+    if (is_counted) check_condition_count(study, conditions, problems);
     resolve_repeats(study, conditions, problems);
     seen.clear();
     const auto hypotheses = read_entries(reader, "hypothesis");
@@ -277,7 +303,7 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     }
     settle_hypotheses(study, conditions, hypotheses, problems);
     const toml::table* exclusion = reader.table("exclusion", Need::kOptional);
-    if (exclusion != nullptr) read_exclusion(*exclusion, study, problems);
+    if (exclusion != nullptr) read_exclusion(*exclusion, conditions, study, problems);
     const toml::table* stopping = reader.table("stopping", Need::kOptional);
     if (stopping != nullptr) read_stopping(*stopping, study, problems);
     reader.finish();

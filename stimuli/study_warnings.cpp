@@ -4,7 +4,49 @@
 
 #include <fmt/format.h>
 
+#include "renderer/technique/variant.h"
+
 namespace obscura::stimuli {
+namespace {
+
+/// Every setting in which two variants of one technique differ, as `samples (8 : 24)`.
+std::vector<std::string> differences_of(const renderer::Variant& a, const renderer::Variant& b) {
+    std::vector<std::string> words;
+    if (a.samples != b.samples)
+        words.push_back(fmt::format("samples ({} : {})", a.samples, b.samples));
+    if (a.denoise != b.denoise)
+        words.push_back(fmt::format("denoise ({} : {})", a.denoise, b.denoise));
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        if (a.*option.value == b.*option.value) continue;
+        words.push_back(fmt::format("{} ({} : {})", option.name, a.*option.value, b.*option.value));
+    }
+    const auto of_b = b.all_parameters();
+    for (const auto& [name, value] : a.all_parameters()) {
+        const double other = of_b.at(name);
+        if (value != other) words.push_back(fmt::format("{} ({:g} : {:g})", name, value, other));
+    }
+    return words;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Study& study) {
+    std::vector<std::string> notes;
+    for (const Condition& condition : study.conditions) {
+        if (!condition.repeats.empty() || condition.a.technique != condition.b.technique) continue;
+        const std::vector<std::string> words = differences_of(condition.a, condition.b);
+        if (words.size() != 1) continue;
+        notes.push_back(fmt::format("condition \"{}\": a and b differ in one setting only, {}",
+                                    condition.id, words.front()));
+    }
+    const auto nobody = [&](const std::optional<double>& least, const char* key) {
+        if (least == 0.0) notes.push_back(fmt::format("exclusion: {} = 0 leaves nobody out", key));
+    };
+    nobody(study.exclusion.min_catch_correct, "min_catch_correct");
+    nobody(study.exclusion.min_repeat_agreement, "min_repeat_agreement");
+    nobody(study.exclusion.min_response_time_s, "min_response_time_s");
+    return notes;
+}
 
 std::vector<std::string> warnings_of(const Study& study) {
     std::vector<std::string> warnings;

@@ -15,4 +15,8 @@ namespace obscura::stimuli {
 /// SceneFiles::kOpened.
 [[nodiscard]] std::vector<std::string> warnings_of(const Study& study);
 
+/// What a colleague would ask about, a sentence each: two variants that differ in one setting only,
+/// a rule of exclusion that leaves nobody out.
+[[nodiscard]] std::vector<std::string> notes_on(const Study& study);
+
 }  // namespace obscura::stimuli

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace obscura::stimuli {
 namespace {
@@ -49,6 +51,45 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return cost[a.size()][b.size()];
 }
 
+/// What people write for a key, and the key; the first whose key is allowed is meant.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kOtherWords{{
+    {"look_at", "target_m"},
+    {"lookat", "target_m"},
+    {"at", "target_m"},
+    {"eye", "position_m"},
+    {"from", "position_m"},
+    {"location", "position_m"},
+    {"fov", "vertical_fov_deg"},
+    {"fovy", "vertical_fov_deg"},
+    {"field_of_view", "vertical_fov_deg"},
+    {"size", "resolution"},
+    {"width", "resolution"},
+    {"dimensions", "resolution"},
+    {"method", "technique"},
+    {"algorithm", "technique"},
+    {"ao", "technique"},
+    {"type", "technique"},
+    {"blur", "denoise"},
+    {"filter", "denoise"},
+    {"smooth", "denoise"},
+    {"file", "source"},
+    {"path", "source"},
+    {"model", "source"},
+    {"mesh", "source"},
+    {"lighting", "validity"},
+    {"level", "validity"},
+    {"hdri", "environment"},
+    {"envmap", "environment"},
+    {"unit", "scale"},
+    {"units", "scale"},
+    {"expected", "catch"},
+    {"expects", "catch"},
+    {"attention_check", "catch"},
+    {"left", "a"},
+    {"right", "b"},
+    {"exclude", "exclusion"},
+}};
+
 constexpr std::size_t kLongestShown = 60;  // bytes of a value that a message repeats
 
 }  // namespace
@@ -89,6 +130,27 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
     return best;
 }
 
+std::optional<std::string> meant_key(std::string_view word, const std::vector<std::string>& names) {
+    const auto is_one = [&](std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const auto& [other, key] : kOtherWords) {
+        if (word == other && is_one(key)) return std::string(key);
+    }
+    if (auto best = nearest(word, names)) return best;
+    constexpr std::size_t kShortestPart = 3;
+    if (word.size() < kShortestPart) return std::nullopt;
+    for (const std::string& name : names) {  // fov_deg for vertical_fov_deg, samples_a for samples
+        const bool is_part =
+            fmt::format("_{}_", name).find(fmt::format("_{}_", word)) != std::string::npos;
+        const bool has_part =
+            name.size() >= kShortestPart &&
+            fmt::format("_{}_", word).find(fmt::format("_{}_", name)) != std::string::npos;
+        if (is_part || has_part) return name;
+    }
+    return std::nullopt;
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
     const std::optional<std::string> guess = nearest(word, names);
     return guess ? fmt::format("; did you mean \"{}\"?", *guess) : "";
@@ -110,6 +172,19 @@ void TableReader::add(const std::string& key, const std::string& message) {
 void TableReader::wrong_type(const std::string& key, const toml::node& value,
                              std::string_view wanted) {
     add(key, fmt::format("is {}, allowed is {}", type_in_words(value), wanted));
+}
+
+bool TableReader::is_misspelt(const std::string& key) const {
+    if (has(key)) return false;
+    return std::any_of(table_.begin(), table_.end(), [&](const auto& entry) {
+        const std::string name{entry.first.str()};
+        const bool is_allowed = std::find(allowed_.begin(), allowed_.end(), name) != allowed_.end();
+        return !is_allowed && meant_key(name, {key}).has_value();
+    });
+}
+
+void TableReader::known_elsewhere(const std::string& key, const std::string& owner) {
+    elsewhere_[key].push_back(owner);
 }
 
 void TableReader::allow(const std::string& key) {
@@ -249,14 +324,22 @@ const toml::table* TableReader::table(const std::string& key, Need need) {
 }
 
 void TableReader::finish() {
+    std::vector<std::string> others;
+    for (const auto& [key, owners] : elsewhere_) others.push_back(key);
     for (const auto& [key, value] : table_) {
         const std::string name{key.str()};
         if (std::find(allowed_.begin(), allowed_.end(), name) != allowed_.end()) continue;
-        problems_.push_back(
-            {static_cast<int>(key.source().begin.line),
-             fmt::format("{}: {} is an unknown key, allowed are {}{}", where_, in_quotes(name),
-                         listed(allowed_), did_you_mean(name, allowed_))});
-        if (const auto meant = nearest(name, allowed_)) std::erase(missing_, *meant);
+        std::string guess;
+        if (const auto meant = meant_key(name, allowed_)) {
+            guess = fmt::format("; did you mean \"{}\"?", *meant);
+            std::erase(missing_, *meant);
+        } else if (const auto other = meant_key(name, others)) {
+            guess =
+                fmt::format("; \"{}\" is a setting of {}", *other, listed(elsewhere_.at(*other)));
+        }
+        problems_.push_back({static_cast<int>(key.source().begin.line),
+                             fmt::format("{}: {} is an unknown key, allowed are {}{}", where_,
+                                         in_quotes(name), listed(allowed_), guess)});
     }
     for (const std::string& key : missing_) {
         problems_.push_back({line_of(table_), fmt::format("{}: {} is missing", where_, key)});

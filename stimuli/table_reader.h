@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,11 @@ namespace obscura::stimuli {
 /// removed, replaced or two neighbours exchanged, at most a third of the longer word; or nothing.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& names);
+
+/// The key of `names` that somebody who wrote `word` means: the nearest(), one that `word` is a
+/// part of, or another word for it (fov for vertical_fov_deg, look_at for target_m); or nothing.
+[[nodiscard]] std::optional<std::string> meant_key(std::string_view word,
+                                                   const std::vector<std::string>& names);
 
 /// `; did you mean "x"?` for the nearest name, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
@@ -57,8 +63,14 @@ class TableReader {
 
     [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }
 
+    /// Whether `key` is not there, but one that nobody asked for is and means it: what follows from
+    /// its absence is not worth saying.
+    [[nodiscard]] bool is_misspelt(const std::string& key) const;
+
     /// Lets `key` be there without reading it.
     void allow(const std::string& key);
+    /// A key that is not allowed here and has its place elsewhere: `has radius_m` ... `blizzard`.
+    void known_elsewhere(const std::string& key, const std::string& owner);
 
     /// Notes a problem with the value of `key`, at the key's line.
     void add(const std::string& key, const std::string& message);
@@ -79,6 +91,7 @@ class TableReader {
     std::vector<StudyProblem>& problems_;
     std::vector<std::string> allowed_;
     std::vector<std::string> missing_;
+    std::map<std::string, std::vector<std::string>> elsewhere_;  ///< owners by key
 };
 
 /// The names of a list of values, by their to_string.

@@ -54,6 +54,11 @@ void read_settings(TableReader& reader, const renderer::Technique& technique, Va
         const std::optional<double> value = reader.number(parameter.name, Need::kOptional);
         if (value) variant.parameters[parameter.name] = *value;
     }
+    for (const renderer::Technique& other : renderer::techniques()) {
+        for (const renderer::Parameter& parameter : other.parameters) {
+            reader.known_elsewhere(parameter.name, other.name);
+        }
+    }
     for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
         reader.add(problem.key, problem.message);
     }

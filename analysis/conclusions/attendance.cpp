@@ -11,7 +11,10 @@ Attendance attendance_of(Store& store, const std::string& study, Kind kind) {
         store.each_session([&](const SessionRecord& session) {
             if (session.study != study || session.kind != kind) return;
             ++attendance.sessions[session.state];
-            if (session.state == SessionState::kCompleted) ids.insert(session.participant_id);
+            if (session.state != SessionState::kCompleted) return;
+            ids.insert(session.participant_id);
+            ++attendance.displays[session.display];
+            if (session.refresh_hz <= 0.0) ++attendance.unknown_refresh;
         });
         for (ParticipantRecord& participant : store.participants()) {
             if (!ids.contains(participant.participant_id)) continue;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct ShownImage {
     std::map<std::string, double> parameters;  ///< every one of the technique's
     std::string denoise;
     std::string depth_format = "r32f";
-    std::filesystem::path file;  ///< empty: there is no image file
-    std::string sha256;          ///< of the file when it was made
+    std::optional<double> mean_luminance = {};  ///< share of display white; nothing: not known
+    std::optional<double> mean_occlusion = {};  ///< over the whole image, [0, 1]
+    std::filesystem::path file;                 ///< empty: there is no image file
+    std::string sha256;                         ///< of the file when it was made
 };
 
 /// The one of the images that shows the condition's variant of that side ('A' or 'B'), or nullptr.

@@ -38,21 +38,25 @@ class CorrectedTests {
         return corrected_[place];
     }
 
+    /// `(0.0231 after Holm's correction for 4 tests)`, and after spending where looks are spent
+    /// for.
+    [[nodiscard]] std::string words(const Possible<double>& p_holm) const {
+        if (!p_holm.has_value()) return "";
+        constexpr double kSmallest = 1e-290;  // a corrected p carries no logarithm
+        const bool is_spent = look_.has_value() && look_->spending != Spending::kNone;
+        return fmt::format(
+            " ({} after {}Holm's correction for {})",
+            *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}),
+            is_spent ? "spending for this look and " : "",
+            counted(static_cast<std::int64_t>(size()), "test"));
+    }
+
   private:
     const Possible<LookResult>& look_;
     std::vector<double> p_values_;
     std::vector<bool> is_computed_;
     std::vector<double> corrected_;
 };
-
-std::string corrected_words(const Possible<double>& p_holm, std::size_t tests) {
-    if (!p_holm.has_value()) return "";
-    constexpr double kSmallest = 1e-290;  // a corrected p carries no logarithm
-    return fmt::format(
-        " ({} after Holm's correction for {})",
-        *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}),
-        counted(static_cast<std::int64_t>(tests), "test"));
-}
 
 bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kSignificance; }
 
@@ -97,7 +101,7 @@ std::string interval_words(const HypothesisResult& result, bool is_tested) {
 }
 
 Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_holm,
-                   std::size_t tests) {
+                   const CorrectedTests& family) {
     Verdict verdict;
     verdict.hypothesis = result.name;
     verdict.statement = result.statement;
@@ -105,7 +109,7 @@ Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_hol
     verdict.margin = result.margin;
     verdict.p = p_of(result);
     verdict.p_holm = p_holm;
-    verdict.tests = tests;
+    verdict.tests = family.size();
     const Votes& votes = result.pooled.votes;
     if (!result.pooling.has_value() || votes.n() == 0) {
         verdict.sentence = fmt::format("{}: {}. {}.", result.name, verdict_words(verdict),
@@ -124,12 +128,12 @@ Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_hol
     } else {
         verdict.conclusion = is_within ? Conclusion::kEqual : Conclusion::kUndecided;
     }
-    verdict.sentence = fmt::format(
-        "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
-        verdict_words(verdict), votes.b, counted(votes.n(), "vote"), 100.0 * *result.pooled.share_b,
-        test_words(result),
-        verdict.is_primary ? corrected_words(p_holm, tests) : " (secondary, not corrected)",
-        interval_words(result, is_tested), capital(result.pooling->words));
+    verdict.sentence =
+        fmt::format("{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
+                    verdict_words(verdict), votes.b, counted(votes.n(), "vote"),
+                    100.0 * *result.pooled.share_b, test_words(result),
+                    verdict.is_primary ? family.words(p_holm) : " (secondary, not corrected)",
+                    interval_words(result, is_tested), capital(result.pooling->words));
     if (!result.unanswered.empty()) {
         verdict.sentence +=
             fmt::format(" Nobody answered {}, which it takes too.", listed(result.unanswered));
@@ -253,9 +257,9 @@ Verdict verdict_on_validity(const ValidityResult& validity, const CorrectedTests
         const auto p = p_of(comparison);
         const Possible<double> p_holm =
             verdict.is_primary ? family.at(places[i]) : Possible<double>::none(kSecondary);
-        tests += fmt::format(" {}: {}{}.", what_is_compared(comparison), test_words(comparison),
-                             verdict.is_primary ? corrected_words(p_holm, family.size())
-                                                : " (secondary, not corrected)");
+        tests +=
+            fmt::format(" {}: {}{}.", what_is_compared(comparison), test_words(comparison),
+                        verdict.is_primary ? family.words(p_holm) : " (secondary, not corrected)");
         if (!p.has_value() || (verdict.p.has_value() && verdict.p->p <= p->p)) continue;
         verdict.p = *p;
         verdict.p_holm = p_holm;
@@ -371,7 +375,7 @@ std::vector<Verdict> verdicts_of(const Analysis& analysis) {
         verdicts.push_back(verdict_on(
             result,
             result.is_primary ? family.at(pooled_places[i]) : Possible<double>::none(kSecondary),
-            family.size()));
+            family));
     }
     if (analysis.validity.has_value()) {
         verdicts.push_back(verdict_on_validity(*analysis.validity, family, level_places));

@@ -96,7 +96,7 @@ std::vector<ExportColumn<TrialRow>> trial_columns(const ExportSource& source) {
                column.name == "exclusion" || column.name == "study_plan";
     });
     for (auto& column : columns) {
-        if (column.name == "response_time (s)") column.name = "response_time";
+        if (column.name == "response_time_s") column.name = "response_time";
     }
     columns.push_back(
         {"stim_file",
@@ -174,6 +174,7 @@ class BidsExport {
         write_tasks();
         write_description();
         write_stimuli();
+        write_tests();
     }
 
   private:
@@ -310,6 +311,16 @@ class BidsExport {
                 job_.folder.add(fmt::format("stimuli/{}/{}", study.name, image.file), bytes);
             }
         }
+    }
+
+    /// The standard's place for what is done with the answers is the folder code.
+    void write_tests() {
+        const auto columns = bids_columns(job_.source, tests_export());
+        write_table(job_, "code/tests", columns, Layout::kBidsTsv, [&](const auto& take) {
+            for (const ExportedTest& row : job_.options.tests) take(row);
+        });
+        job_.folder.add("code/tests.json", described(columns).dump(2) + '\n');
+        add_scripts(job_, "code/");
     }
 
     struct Place {

@@ -54,7 +54,9 @@ std::string readme_text(const ExportJob& job) {
     text += fmt::format(
         "\nRows whose kind is simulated were answered by a program, not by a person. Catch trials\n"
         "(attention checks) and rows with an entry in repeats are no votes. Only sessions whose\n"
-        "state is completed are analysed.\n\nWritten by {}.\n",
+        "state is completed are analysed: rows whose is_vote is 1 and whose excluded is 0. The\n"
+        "scripts main_tests.R and main_tests.py repeat the main tests from the tables.\n\n"
+        "Written by {}.\n",
         job.options.software);
     if (job.source.anonymous()) {
         text +=

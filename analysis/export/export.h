@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/store/store.h"
@@ -35,9 +37,18 @@ inline constexpr std::array kExportFormats{ExportFormat::kCsv, ExportFormat::kTs
 /// An image as the manifest lists it.
 struct ExportedImage {
     std::string condition;
-    char side = 'A';     ///< 'A' or 'B'
-    std::string file;    ///< in ExportedStudy::image_folder
-    std::string sha256;  ///< of its bytes
+    char side = 'A';                ///< 'A' or 'B'
+    std::string file;               ///< in ExportedStudy::image_folder
+    std::string sha256;             ///< of its bytes
+    std::string scene_source = {};  ///< built-in scene or file; empty: not known
+    std::string camera = {};        ///< of that scene
+};
+
+/// What a scene of a study looks at.
+struct ExportedView {
+    std::string scene_source;  ///< built-in scene or file
+    std::string camera;
+    std::string name = {};  ///< what an analysis calls it, the same for scenes that differ in light
 };
 
 /// A study whose sessions are exported, as far as it is at hand.
@@ -46,10 +57,25 @@ struct ExportedStudy {
     std::string title;  ///< empty: not known, like all below
     std::string question;
     std::string instructions;
-    std::string file_text;              ///< the study file's bytes
-    std::string manifest_text;          ///< the bytes of manifest.json
+    std::string file_text;                           ///< the study file's bytes
+    std::string sha256 = {};                         ///< of the study file
+    std::map<std::string, ExportedView> views = {};  ///< by the study's name of the scene
+    std::string manifest_text;                       ///< the bytes of manifest.json
     std::vector<ExportedImage> images;  ///< those of the manifest whose files are there
     std::filesystem::path image_folder;
+};
+
+/// One condition of a test that the analysis makes over participants. Each participant's
+/// difference is the sum of weight * (+1 for an answer B, -1 for A) over the test's conditions, and
+/// the signs of the differences are flipped.
+struct ExportedTest {
+    std::string study;
+    Kind kind = Kind::kParticipant;
+    std::string test;      ///< a hypothesis, with what is compared where it has several tests
+    std::string question;  ///< preference, interaction or levels
+    std::string condition;
+    std::string level;   ///< of validity
+    std::string weight;  ///< a whole number; empty for levels, where Cochran's Q is the test
 };
 
 struct ExportOptions {
@@ -62,6 +88,10 @@ struct ExportOptions {
     std::optional<std::uint64_t> anonymous_seed;
     std::vector<ExportedStudy> studies;
     std::string software;  ///< name and version of this program
+    /// By session: why the study's rule leaves its participant out; empty: it does not. A session
+    /// that is not here was not completed, or nothing is known.
+    std::unordered_map<std::string, std::string> left_out;
+    std::vector<ExportedTest> tests;
 };
 
 /// What went into an export.
@@ -76,10 +106,12 @@ struct Exported {
 /// Writes everything that the store holds at one moment, all files or none. Beside the tables there
 /// are, for each study, its file and manifest (stimuli/STUDY/, in Psych-DS materials/STUDY/); BIDS
 /// also has the images that were shown. Each format describes every column: data_dictionary.json
-/// (BIDS keys Description, Levels, Units), BIDS's sidecars, or variableMeasured. Text is UTF-8,
-/// doubles have the shortest digits that read back the same. Rows are streamed; only an anonymous
-/// export keeps the sessions in memory. Throws bad input when the folder cannot be written or holds
-/// something that may not be overwritten; failure, with nothing left behind, when writing fails.
+/// (BIDS keys Description, Levels, Units), BIDS's sidecars, or variableMeasured. The tests of the
+/// analysis are a table too, and main_tests.R and main_tests.py repeat them from the tables. Text
+/// is UTF-8, doubles have the shortest digits that read back the same. Rows are streamed; only an
+/// anonymous export keeps the sessions in memory. Throws bad input when the folder cannot be
+/// written or holds something that may not be overwritten; failure, with nothing left behind, when
+/// writing fails.
 [[nodiscard]] Exported export_store(Store& store, const ExportOptions& options);
 
 }  // namespace obscura::analysis

@@ -27,6 +27,9 @@ void export_psych_ds(const ExportJob& job);
 /// Study files and manifests, as FOLDER/STUDY/study.toml and manifest.json.
 void add_studies(const ExportJob& job, const std::string& folder);
 
+/// Adds main_tests.R and main_tests.py, in `folder` (empty: at the top), which find the tables.
+void add_scripts(const ExportJob& job, const std::string& folder);
+
 /// Writes the rows that `each` gives, as the file NAME + the layout's ending.
 template <typename Row, typename Each>
 void write_table(const ExportJob& job, const std::string& name,

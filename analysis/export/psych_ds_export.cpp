@@ -87,9 +87,13 @@ class PsychDsExport {
             for (const ConditionRow& row : conditions_.rows()) take(row);
         });
         write(events_export(), [&](const auto& take) { job_.source.each_event(take); });
+        write(tests_export(), [&](const auto& take) {
+            for (const ExportedTest& row : job_.options.tests) take(row);
+        });
         write_description();
         job_.folder.add("README.md", readme_text(job_));
         add_studies(job_, "materials");
+        add_scripts(job_, "analysis/");
     }
 
   private:
@@ -113,7 +117,7 @@ class PsychDsExport {
             {"description",
              fmt::format("Answers to pairs of images that differ only in their ambient occlusion; "
                          "study {}. Tables: participants, sessions, trials (a row an answer), "
-                         "conditions (votes), events.",
+                         "conditions (votes), events, tests.",
                          name)},
             {"variableMeasured", variables_}};
         job_.folder.add("dataset_description.json", json.dump(2) + '\n');

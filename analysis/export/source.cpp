@@ -12,12 +12,15 @@
 namespace obscura::analysis {
 
 ExportSource::ExportSource(Store& store, const ExportOptions& options)
-    : store_(store), anonymous_(options.anonymous_seed.has_value()) {
+    : store_(store),
+      anonymous_(options.anonymous_seed.has_value()),
+      options_(options),
+      left_out_(options.left_out) {
     for (const ExportedStudy& study : options.studies) {
         auto& of_study = images_[study.name];
         for (const ExportedImage& image : study.images) {
-            of_study[image.condition][image.side == 'A' ? 0 : 1] = {image.sha256,
-                                                                    study.name + '/' + image.file};
+            of_study[image.condition][image.side == 'A' ? 0 : 1] = {
+                image.sha256, study.name + '/' + image.file, {image.scene_source, image.camera}};
         }
     }
     if (anonymous_) read_all(*options.anonymous_seed);
@@ -28,6 +31,7 @@ void ExportSource::read_all(std::uint64_t seed) {
     std::vector<SessionRecord> sessions = store_.sessions();
     std::vector<std::size_t> order(participants.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
+    left_out_.clear();
     base::Random random(seed);
     random.shuffle(order);
     std::unordered_map<std::string, std::vector<SessionRecord*>> of_participant;
@@ -43,6 +47,10 @@ void ExportSource::read_all(std::uint64_t seed) {
         for (SessionRecord* session : own->second) {
             session_ids_.push_back(std::move(session->session_id));
             session->session_id = fmt::format("s{:0{}}", sessions_.size() + 1, digits);
+            if (const auto known = options_.left_out.find(session_ids_.back());
+                known != options_.left_out.end()) {
+                left_out_[session->session_id] = known->second;
+            }
             session->participant_id = participant.participant_id;
             sessions_.push_back(std::move(*session));
         }
@@ -78,10 +86,14 @@ void ExportSource::each_event(const std::function<void(const EventRow&)>& take) 
 void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
                               Exported& exported) {
     const auto row = [&](const TrialRecord& trial, const SessionRecord& session) {
-        const std::string* const first = file_of(trial, session, true);
-        const std::string* const second = file_of(trial, session, false);
+        const Image* const first = image_of(trial, session, true);
+        const Image* const second = image_of(trial, session, false);
         if (first == nullptr || second == nullptr) ++exported.unknown_images;
-        take({&trial, &session, ++exported.trials, first, second});
+        const auto left_out = left_out_.find(session.session_id);
+        take({&trial, &session, ++exported.trials, first == nullptr ? nullptr : &first->file,
+              second == nullptr ? nullptr : &second->file,
+              left_out == left_out_.end() ? nullptr : &left_out->second,
+              view_of(trial, session, first != nullptr ? first : second)});
     };
     if (!anonymous_) return store_.each_trial(row);
     for (std::size_t i = 0; i < sessions_.size(); ++i) {
@@ -92,16 +104,26 @@ void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
     }
 }
 
-const std::string* ExportSource::file_of(const TrialRecord& trial, const SessionRecord& session,
-                                         bool first) const {
+const ExportSource::Image* ExportSource::image_of(const TrialRecord& trial,
+                                                  const SessionRecord& session, bool first) const {
     const auto study = images_.find(session.study);
     if (study == images_.end()) return nullptr;
     const auto condition = study->second.find(trial.condition);
     if (condition == study->second.end()) return nullptr;
     const bool is_A = (trial.first_shown == 'A') == first;
     const Image& image = condition->second[is_A ? 0 : 1];
-    return image.sha256 == (first ? trial.first_sha256 : trial.second_sha256) ? &image.file
-                                                                              : nullptr;
+    return image.sha256 == (first ? trial.first_sha256 : trial.second_sha256) ? &image : nullptr;
+}
+
+const ExportedView* ExportSource::view_of(const TrialRecord& trial, const SessionRecord& session,
+                                          const Image* image) const {
+    if (image != nullptr && !image->view.scene_source.empty()) return &image->view;
+    for (const ExportedStudy& study : options_.studies) {
+        if (study.name != session.study || study.sha256 != session.study_sha256) continue;
+        const auto view = study.views.find(trial.scene);
+        return view == study.views.end() ? nullptr : &view->second;
+    }
+    return nullptr;
 }
 
 }  // namespace obscura::analysis

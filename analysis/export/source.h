@@ -21,7 +21,7 @@ namespace obscura::analysis {
 /// participants by new names in a shuffled order.
 class ExportSource {
   public:
-    /// To be used within one Store::of_one_moment.
+    /// To be used within one Store::of_one_moment. Both must outlive it.
     ExportSource(Store& store, const ExportOptions& options);
 
     [[nodiscard]] bool anonymous() const { return anonymous_; }
@@ -44,9 +44,6 @@ class ExportSource {
 
   private:
     void read_all(std::uint64_t seed);
-    /// STUDY/FILE of the image that the trial showed on that side; nullptr: not known.
-    [[nodiscard]] const std::string* file_of(const TrialRecord& trial, const SessionRecord& session,
-                                             bool first) const;
 
     Store& store_;
     const bool anonymous_;
@@ -56,9 +53,20 @@ class ExportSource {
     struct Image {
         std::string sha256;
         std::string file;
+        ExportedView view;
     };
+    /// The image that the trial showed on that side; nullptr: not known.
+    [[nodiscard]] const Image* image_of(const TrialRecord& trial, const SessionRecord& session,
+                                        bool first) const;
+    /// From the images, or from the study file that the session began with; nullptr: not known.
+    [[nodiscard]] const ExportedView* view_of(const TrialRecord& trial,
+                                              const SessionRecord& session,
+                                              const Image* image) const;
+
     /// By study, then by condition: A and B.
     std::unordered_map<std::string, std::unordered_map<std::string, std::array<Image, 2>>> images_;
+    const ExportOptions& options_;
+    std::unordered_map<std::string, std::string> left_out_;  ///< by the session's name here
 };
 
 }  // namespace obscura::analysis

@@ -54,8 +54,12 @@ void export_tables(const ExportJob& job) {
         for (const ConditionRow& row : conditions.rows()) take(row);
     });
     write(events_export(), [&](const auto& take) { source.each_event(take); });
+    write(tests_export(), [&](const auto& take) {
+        for (const ExportedTest& row : job.options.tests) take(row);
+    });
     job.folder.add("data_dictionary.json", dictionary.dump(2) + '\n');
     add_studies(job, "stimuli");
+    add_scripts(job, "");
 }
 
 }  // namespace obscura::analysis

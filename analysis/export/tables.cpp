@@ -48,6 +48,11 @@ constexpr const char* kRepeats =
 constexpr const char* kVariant =
     "Technique and samples, with what differs where two would have one name, of variant ";
 
+bool is_vote(const TrialRow& row) {
+    return row.session->state == SessionState::kCompleted && row.trial->kind == row.session->kind &&
+           row.trial->repeats.empty();
+}
+
 }  // namespace
 
 const ExportTable<ParticipantRecord>& participants_export() {
@@ -217,7 +222,7 @@ const ExportTable<TrialRow>& trials_export() {
                   out += row.trial->response_first ? "first" : "second";
               },
               false}},
-            {"response_time (s)",
+            {"response_time_s",
              "From the question's appearance to the answer",
              {},
              "s",
@@ -302,6 +307,55 @@ const ExportTable<TrialRow>& trials_export() {
              {},
              "",
              of_trial<&T::condition_A>},
+            {"chose_B",
+             "Whether variant B was chosen",
+             kYesNo,
+             "",
+             {[](const TrialRow& row, std::string& out) {
+                  append_cell(out, !row.trial->is_A_selected);
+              },
+              true}},
+            {"is_vote",
+             "Whether the answer is a vote: of a completed session, and no practice, catch or "
+             "repeated trial. The analysis is of votes with excluded 0",
+             kYesNo,
+             "",
+             {[](const TrialRow& row, std::string& out) { append_cell(out, is_vote(row)); }, true}},
+            {"excluded",
+             "Whether the study's rule leaves the participant out of the analysis; empty: not "
+             "decided, as for a session that was not completed",
+             kYesNo,
+             "",
+             {[](const TrialRow& row, std::string& out) {
+                  if (row.left_out != nullptr) append_cell(out, !row.left_out->empty());
+              },
+              true}},
+            {"excluded_reason",
+             "Why the rule leaves the participant out; empty: it does not",
+             {},
+             "",
+             {[](const TrialRow& row, std::string& out) {
+                  if (row.left_out != nullptr) out += *row.left_out;
+              },
+              false}},
+            {"scene_source",
+             "Built-in scene or file that was shown; two scenes of one source and camera differ in "
+             "their light only; empty: not known",
+             {},
+             "",
+             {[](const TrialRow& row, std::string& out) {
+                  if (row.view != nullptr) out += row.view->scene_source;
+              },
+              false}},
+            {"camera",
+             "Camera of that scene, by its name; study: one that the study file describes; empty: "
+             "not known",
+             {},
+             "",
+             {[](const TrialRow& row, std::string& out) {
+                  if (row.view != nullptr) out += row.view->camera;
+              },
+              false}},
         }};
     return table;
 }
@@ -337,6 +391,39 @@ const ExportTable<ConditionRow>& conditions_export() {
              {},
              "votes",
              {[](const R& row, std::string& out) { append_cell(out, row.votes.b); }, true}},
+        }};
+    return table;
+}
+
+const ExportTable<ExportedTest>& tests_export() {
+    using R = ExportedTest;
+    static const ExportTable<R> table{
+        "tests",
+        {
+            {"study", "Name of the study", {}, "", of<&R::study>},
+            {"kind", "Who answered", kSubjectKinds, "", of<&R::kind>},
+            {"test", "What is tested; the test's conditions are its rows", {}, "", of<&R::test>},
+            {"question",
+             "What is asked of the votes, of each participant's answers together",
+             {{"preference", "is B chosen more often than A? Signs of the differences are flipped"},
+              {"interaction",
+               "does the preference differ between two levels, of participants who answered all "
+               "of the conditions? Signs of the differences are flipped; of one condition a level "
+               "that is McNemar's exact test"},
+              {"levels",
+               "does it differ between several levels, of participants who answered all of the "
+               "conditions? Cochran's Q"}},
+             "",
+             of<&R::question>},
+            {"condition", "Name of the condition", {}, "", of<&R::condition>},
+            {"level", "Ecological validity of the condition's lighting; empty: not said",
+             kValidities, "", of<&R::level>},
+            {"weight",
+             "A participant's difference is the sum of weight * (+1 for an answer B, -1 for A); "
+             "empty: the test has none",
+             {},
+             "",
+             of<&R::weight>},
         }};
     return table;
 }

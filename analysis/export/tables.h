@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/export/contents.h"
+#include "analysis/export/export.h"
 #include "analysis/statistics/possible.h"
 
 namespace obscura::analysis {
@@ -51,6 +52,8 @@ struct TrialRow {
     std::size_t number = 0;                   ///< of the row in its file, from 1
     const std::string* first_file = nullptr;  ///< image shown first; nullptr: not known
     const std::string* second_file = nullptr;
+    const std::string* left_out = nullptr;  ///< ExportOptions::left_out; nullptr: not known
+    const ExportedView* view = nullptr;     ///< nullptr: not known
 };
 
 /// A condition as it was shown, with its votes in completed sessions.
@@ -65,5 +68,6 @@ struct ConditionRow {
 [[nodiscard]] const ExportTable<SessionRow>& sessions_export();
 [[nodiscard]] const ExportTable<TrialRow>& trials_export();
 [[nodiscard]] const ExportTable<ConditionRow>& conditions_export();
+[[nodiscard]] const ExportTable<ExportedTest>& tests_export();
 
 }  // namespace obscura::analysis

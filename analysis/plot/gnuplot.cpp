@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/plot/child_process.h"
 #include "analysis/text/text.h"
 #include "renderer/base/files.h"
@@ -36,22 +38,57 @@ set grid back lc rgb "#DDDDDD" lw 1 dt solid
 set key outside right top Left reverse spacing 1.2 samplen 3
 )";
 
-/// A script that stands alone: it draws NAME.svg where it is run, NAME.png with picture="png", and
-/// writes to the standard output with to_stdout=1.
-std::string script_of(const Plot& plot) {
-    std::string script = fmt::format(
-        "# Run in this folder: gnuplot {0}.gnuplot\n"
+/// How large a picture is: letters in points, sizes in the terminal's unit.
+struct Sizes {
+    double width = 0.0;
+    double height = 0.0;
+    double font = 0.0;
+};
+
+constexpr double kPixelsPerInch = 96.0;
+constexpr double kPointsPerInch = 72.0;
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kPrinted_pt = 8.0;
+
+Sizes svg_sizes(const Plot& plot) {
+    if (plot.width_mm <= 0.0) {
+        return {static_cast<double>(plot.width_px), static_cast<double>(plot.height_px), 15.0};
+    }
+    // Letters keep their size and rows with them, whatever the width.
+    const double font_px = kPrinted_pt * kPixelsPerInch / kPointsPerInch;
+    return {std::round(plot.width_mm / kMillimetresPerInch * kPixelsPerInch),
+            std::round(plot.height_px * font_px / 15.0), font_px};
+}
+
+/// The commands that choose the terminal, by the variable `picture`.
+std::string terminals_of(const Plot& plot) {
+    const Sizes svg = svg_sizes(plot);
+    return fmt::format(
         "if (!exists(\"picture\")) picture = \"svg\"\n"
         "if (picture eq \"png\") {{\n"
-        "    set terminal pngcairo size {1},{2} noenhanced font \"sans-serif,11\" background "
+        "    set terminal pngcairo size {0},{1} noenhanced font \"sans-serif,11\" background "
         "\"#ffffff\"\n"
+        "}} else {{ if (picture eq \"pdf\") {{\n"
+        "    set terminal pdfcairo size {2:.3f}cm,{3:.3f}cm noenhanced font \"sans-serif,{4:g}\" "
+        "linewidth 0.5\n"
         "}} else {{\n"
-        "    set terminal svg size {1},{2} noenhanced font \"sans-serif,15\" background "
+        "    set terminal svg size {5:g},{6:g} noenhanced font \"sans-serif,{7:.4g}\" background "
         "\"#ffffff\"\n"
-        "}}\n"
-        "if (!exists(\"to_stdout\")) set output {3}.\".\".picture\n{4}",
-        plot.name, plot.width_px, plot.height_px, gnuplot_text(plot.name), kStyle);
-    if (!plot.title.empty()) script += fmt::format("set title {}\n", gnuplot_text(plot.title));
+        "}} }}\n",
+        plot.width_px, plot.height_px, svg.width / kPixelsPerInch * kMillimetresPerInch / 10.0,
+        svg.height / kPixelsPerInch * kMillimetresPerInch / 10.0,
+        svg.font * kPointsPerInch / kPixelsPerInch, svg.width, svg.height, svg.font);
+}
+
+/// A script that stands alone: it draws NAME.svg where it is run, NAME.png with picture="png",
+/// NAME.pdf with picture="pdf", and writes to the standard output with to_stdout=1.
+std::string script_of(const Plot& plot) {
+    std::string script = fmt::format(
+        "# Run in this folder: gnuplot {0}.gnuplot\n{1}"
+        "if (!exists(\"to_stdout\")) set output {2}.\".\".picture\n{3}",
+        plot.name, terminals_of(plot), gnuplot_text(plot.name), kStyle);
+    const std::string& above = plot.above.value_or(plot.title);
+    if (!above.empty()) script += fmt::format("set title {}\n", gnuplot_text(above));
     script += plot.script;
     if (script.back() != '\n') script += '\n';
     return script;
@@ -70,6 +107,16 @@ void name_picture(std::string& svg, const std::string& title) {
     const std::size_t place = svg.find(kName);
     if (place == std::string::npos) return;
     svg.replace(place, kName.size(), fmt::format("<title>{}</title>", html_escaped(title)));
+}
+
+/// A PDF says when it was made, which would make each one another. As many letters as before: the
+/// file counts its bytes.
+void date_picture(std::string& pdf) {
+    constexpr std::string_view kDate = "/CreationDate (D:";
+    constexpr std::string_view kAlways = "20000101000000";
+    const std::size_t place = pdf.find(kDate);
+    if (place == std::string::npos) return;
+    pdf.replace(place + kDate.size(), kAlways.size(), kAlways);
 }
 
 }  // namespace
@@ -107,6 +154,13 @@ DrawnPlot draw(const Plot& plot, const fs::path& folder, bool png) {
         base::write_file_atomically(folder / (plot.name + ".png"), picture.out);
     }
     return {drawn.out, ""};
+}
+
+std::string draw_pdf(const Plot& plot, const fs::path& folder) {
+    ProcessResult drawn = run_gnuplot(plot, folder, "pdf");
+    if (!drawn.problem.empty() || !drawn.out.starts_with("%PDF")) return "";
+    date_picture(drawn.out);
+    return std::move(drawn.out);
 }
 
 }  // namespace obscura::analysis

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +21,16 @@ struct PlotData {
 /// without gnuplot's enhanced mode.
 struct Plot {
     std::string name;   ///< stem of its files
-    std::string title;  ///< above the plot; may be empty
+    std::string title;  ///< what the picture is called; may be empty
     int width_px = 900;
     int height_px = 560;
     std::string script;
     std::vector<PlotData> data;
+    /// What stands above the plot; nothing: its title.
+    std::optional<std::string> above = {};
+    /// For print: so wide, with the letters and lines of a journal, 8 pt and half a point; the
+    /// height follows. 0: for a screen, in pixels.
+    double width_mm = 0.0;
 };
 
 /// The files of a drawn plot, relative to its folder, and the SVG itself for a page.
@@ -39,6 +45,10 @@ struct DrawnPlot {
 /// `gnuplot NAME.gnuplot` in the folder draws the SVG again.
 [[nodiscard]] DrawnPlot draw(const Plot& plot, const std::filesystem::path& folder,
                              bool png = false);
+
+/// The bytes of a PDF of a plot that draw() has put into `folder`, the same for the same plot;
+/// empty where it cannot be drawn.
+[[nodiscard]] std::string draw_pdf(const Plot& plot, const std::filesystem::path& folder);
 
 /// The text as a string constant of a script, with its quotes.
 [[nodiscard]] std::string gnuplot_text(std::string_view text);

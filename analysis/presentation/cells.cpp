@@ -5,21 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "analysis/presentation/journal.h"
 
 namespace obscura::analysis {
 
-std::string p_cell(const Possible<PValue>& p) {
-    constexpr int kDecimals = 4;
-    return p.has_value() ? p_number(*p, kDecimals) : kNoValue;
-}
+std::string p_cell(const Possible<PValue>& p) { return p.has_value() ? journal_p(*p) : kNoValue; }
 
-std::string p_cell(const Possible<double>& p) {
-    constexpr double kShownAsPower = 1e-290;
-    if (!p.has_value()) return kNoValue;
-    if (*p < kShownAsPower) return fmt::format("<{:g}", kShownAsPower);
-    return p_cell(Possible<PValue>(PValue{*p, std::log10(*p)}));
-}
+std::string p_cell(const Possible<double>& p) { return p.has_value() ? journal_p(p) : kNoValue; }
 
 std::string cell(const Possible<double>& value, int decimals) {
     return value.has_value() ? fmt::format("{:.{}f}", *value, decimals) : kNoValue;

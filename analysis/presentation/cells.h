@@ -12,7 +12,7 @@ namespace obscura::analysis {
 /// What a table shows where there is no value.
 inline constexpr const char* kNoValue = "–";
 
-/// A p-value in a table, without its name; kNoValue where there is none.
+/// A p-value in a table as journals print it, without its name; kNoValue where there is none.
 [[nodiscard]] std::string p_cell(const Possible<PValue>& p);
 [[nodiscard]] std::string p_cell(const Possible<double>& p);
 

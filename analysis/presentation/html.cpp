@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "analysis/embedded.h"
 #include "analysis/presentation/html_table.h"
+#include "analysis/text/embedded.h"
 #include "analysis/text/text.h"
 
 namespace obscura::analysis {
@@ -104,6 +104,13 @@ void Page::fine_print(std::string_view text) {
 void Page::notice(std::string_view text) {
     html_ += fmt::format("<p class=\"notice\" role=\"note\">{}</p>\n", html_escaped(text));
     markdown_ += fmt::format("> **{}**\n\n", markdown_escaped(text));
+}
+
+void Page::box(std::string_view title, const std::vector<std::string>& items) {
+    html_ += "<aside class=\"box\">\n";
+    heading(title, 3);
+    list(items);
+    html_ += "</aside>\n";
 }
 
 void Page::answer(std::string_view question, std::string_view verdict, std::string_view sentence) {

@@ -31,6 +31,8 @@ class Page {
     void fine_print(std::string_view text);
     /// What must not be overlooked, framed.
     void notice(std::string_view text);
+    /// Points that belong together and are read before the rest, framed, with a heading of level 3.
+    void box(std::string_view title, const std::vector<std::string>& items);
     /// An answer that stands out: the question, the verdict in a few words, and a sentence.
     void answer(std::string_view question, std::string_view verdict, std::string_view sentence);
     void table(const PageTable& table, std::string_view caption = "");

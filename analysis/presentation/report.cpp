@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "analysis/conclusions/caveats.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/presentation/json_report.h"
@@ -63,7 +64,7 @@ void ReportDraft::file(std::string name, std::string bytes) {
 }
 
 void ReportDraft::plot(Plot plot, const std::string& caption) {
-    if (is_simulated(input)) plot.title = "SIMULATED: " + plot.title;
+    plot.above = is_simulated(input) ? "SIMULATED DATA" : "";
     const DrawnPlot drawn = draw(plot, folder_);
     file("plots/" + plot.name + ".gnuplot", base::read_file(folder_ / (plot.name + ".gnuplot")));
     for (const PlotData& data : plot.data) file("plots/" + data.file, data.text);
@@ -76,12 +77,32 @@ void ReportDraft::plot(Plot plot, const std::string& caption) {
         return;
     }
     file(svg, drawn.svg);
-    page.svg(drawn.svg, svg, caption);
+    page.svg(drawn.svg, svg, fmt::format("Figure {}. {}", ++figures_, caption));
+}
+
+void ReportDraft::paper_figure(Plot plot) {
+    plot.above = is_simulated(input) ? "SIMULATED DATA" : "";
+    const DrawnPlot drawn = draw(plot, folder_);
+    if (drawn.svg.empty()) return;
+    file("paper/" + plot.name + ".svg", drawn.svg);
+    if (std::string pdf = draw_pdf(plot, folder_); !pdf.empty()) {
+        file("paper/" + plot.name + ".pdf", std::move(pdf));
+    }
+}
+
+void add_caveats(ReportDraft& draft) {
+    const ReportInput& input = draft.input;
+    std::vector<std::string> points;
+    for (const Caveat& caveat : caveats_of(input.analysis, input.images, input.attendance)) {
+        points.push_back(fmt::format("{}: {}", caveat.about, caveat.sentence));
+    }
+    draft.page.box("To know before believing it", points);
 }
 
 std::vector<ReportFile> report_files(const ReportInput& input) {
     ReportDraft draft(input);
     add_answers(draft);
+    add_caveats(draft);
     add_published_study(draft);
     add_stimuli(draft);
     add_participants(draft);
@@ -95,9 +116,11 @@ std::vector<ReportFile> report_files(const ReportInput& input) {
     add_preference_and_cost(draft);
     add_speed_and_error(draft);
     add_methods(draft);
+    add_paper(draft);
     draft.file("report.html", draft.page.html());
     draft.file("report.md", draft.page.markdown());
-    draft.file("analysis.txt", text_report(input.analysis));
+    draft.file("analysis.txt", text_report(input.analysis, caveats_of(input.analysis, input.images,
+                                                                      input.attendance)));
     draft.file("analysis.json", json_report(input.analysis));
     return std::move(draft.files);
 }

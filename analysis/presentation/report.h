@@ -18,6 +18,8 @@ namespace obscura::analysis {
 struct StudyWords {
     std::string title;
     std::string question;
+    double grey_ms = 0.0;    ///< the interval between two images; 0: not known
+    std::string order = {};  ///< latin-square, williams, random, fixed; empty: not known
 };
 
 /// Everything a report is made of. What is missing is said in it, not left out.
@@ -30,6 +32,7 @@ struct ReportInput {
     std::string images_unknown;      ///< why there are none
     std::optional<MeasurementTable> measurement;
     std::string measurement_unknown;  ///< why there is none
+    std::string software;             ///< name and version of this program
 };
 
 /// A file of a report, not yet written.
@@ -39,9 +42,10 @@ struct ReportFile {
 };
 
 /// The whole report as files: report.html (one self-contained page), report.md, analysis.txt,
-/// analysis.json, and in plots/ and thumbnails/ what the pages show, with each plot's script and
-/// data. The same input gives the same bytes. Without gnuplot the tables stand alone and the page
-/// says so. Throws failure when there is no place for temporary files.
+/// analysis.json, in plots/ and thumbnails/ what the pages show, with each plot's script and
+/// data, and in paper/ paragraphs, tables and figures for a paper. The same input gives the same
+/// bytes. Without gnuplot the tables stand alone and the page says so. Throws failure when there is
+/// no place for temporary files.
 [[nodiscard]] std::vector<ReportFile> report_files(const ReportInput& input);
 
 /// Puts all of the files into the folder or none, in place of an earlier report's. Throws bad input

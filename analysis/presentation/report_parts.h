@@ -23,7 +23,11 @@ class ReportDraft {
 
     /// Draws it, keeps its files and shows it, marked where the data are simulated; where it
     /// cannot be drawn, says why.
+    /// It has a number and no title: its caption says what it shows.
     void plot(Plot plot, const std::string& caption);
+    /// Draws it for print, as SVG and PDF among the files of the paper; nothing where it cannot be
+    /// drawn.
+    void paper_figure(Plot plot);
     void file(std::string name, std::string bytes);
 
     const ReportInput& input;
@@ -32,6 +36,7 @@ class ReportDraft {
 
   private:
     std::filesystem::path folder_;
+    int figures_ = 0;
 };
 
 // One part of the report each, in the order of the page.
@@ -49,5 +54,7 @@ void add_power(ReportDraft& draft);
 void add_preference_and_cost(ReportDraft& draft);
 void add_speed_and_error(ReportDraft& draft);
 void add_methods(ReportDraft& draft);
+void add_caveats(ReportDraft& draft);
+void add_paper(ReportDraft& draft);
 
 }  // namespace obscura::analysis

@@ -88,7 +88,7 @@ std::vector<std::size_t> used_groups(const IntervalPlot& plot) {
 Plot interval_plot(const IntervalPlot& all) {
     IntervalPlot plot = all;
     if (plot.rows.size() > kMostRows) {
-        plot.title += fmt::format(" (the first {} of {})", kMostRows, plot.rows.size());
+        plot.axis += fmt::format(" (the first {} of {})", kMostRows, plot.rows.size());
         plot.rows.resize(kMostRows);
     }
     Plot drawn;

@@ -40,7 +40,7 @@ struct IntervalPlot {
 /// More rows than this make no picture that anyone could read; the table has them all.
 inline constexpr std::size_t kMostRows = 100;
 
-/// Its height grows with the rows; of more than kMostRows the first are drawn, and the title says
+/// Its height grows with the rows; of more than kMostRows the first are drawn, and the axis says
 /// so.
 [[nodiscard]] Plot interval_plot(const IntervalPlot& all);
 

@@ -214,9 +214,18 @@ std::string models_text(const Analysis& analysis) {
     return wrapped(text + kScenesAreFixed + '\n');
 }
 
+std::string caveats_text(const std::vector<Caveat>& caveats) {
+    if (caveats.empty()) return "";
+    std::string text = "\nTo know before believing it:\n";
+    for (const Caveat& caveat : caveats) {
+        text += fmt::format("- {}: {}\n", caveat.about, caveat.sentence);
+    }
+    return wrapped(text);
+}
+
 }  // namespace
 
-std::string text_report(const Analysis& analysis) {
+std::string text_report(const Analysis& analysis, const std::vector<Caveat>& caveats) {
     std::vector<TextRow> rows{{"condition", "for", "validity", "A", "B", "votes A:B", "share B",
                                "95 % interval", "g", "chi-sq", "p", "p exact", "p Holm"}};
     for (const ConditionResult& result : analysis.conditions) {
@@ -244,8 +253,9 @@ std::string text_report(const Analysis& analysis) {
         "counts take as independent; Cochran's, McNemar's and the test by flipping signs do "
         "not.\n";
     return text + wrapped(words + order_bias_line(analysis)) + verdicts_text(analysis) +
-           models_text(analysis) + power_text(analysis.power) + scales_text(analysis) +
-           attention_text(analysis) + response_times_text(analysis) + exclusions_text(analysis);
+           models_text(analysis) + caveats_text(caveats) + power_text(analysis.power) +
+           scales_text(analysis) + attention_text(analysis) + response_times_text(analysis) +
+           exclusions_text(analysis);
 }
 
 }  // namespace obscura::analysis

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/caveats.h"
 
 namespace obscura::analysis {
 
-/// A table for people, with what was tested in words. Ends with a line feed.
-[[nodiscard]] std::string text_report(const Analysis& analysis);
+/// A table for people, with what was tested in words, and what to know before believing it. Ends
+/// with a line feed.
+[[nodiscard]] std::string text_report(const Analysis& analysis,
+                                      const std::vector<Caveat>& caveats = {});
 
 }  // namespace obscura::analysis

@@ -6,12 +6,13 @@
 #include <map>
 #include <memory>
 
-#include "analysis/conclusions/analysis.h"
+#include "analysis/conclusions/caveats.h"
 #include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
 #include "analysis/presentation/json_report.h"
 #include "analysis/presentation/report.h"
+#include "analysis/presentation/summary.h"
 #include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
 #include "analysis/store/store.h"
@@ -42,6 +43,7 @@ struct AnalyzeOptions {
     bool model = false;
     bool no_model = false;
     bool json = false;
+    bool full = false;
     std::filesystem::path measurement;  ///< empty: the data folder's
     std::filesystem::path out;          ///< empty: nothing is written
 };
@@ -86,7 +88,7 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
         if (!options.preregistered.empty()) {
             answers.conducted.images = images_shown(store, answers.tally.study, *kind);
         }
-        if (!options.out.empty()) {
+        if (!options.out.empty() || options.full) {
             answers.attendance = analysis::attendance_of(store, answers.tally.study, *kind);
         }
     });
@@ -133,16 +135,23 @@ std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
     return study;
 }
 
-void write_report(analysis::Analysis result, Answers answers,
-                  const std::optional<stimuli::Study>& study, const AnalyzeOptions& options,
-                  const Globals& globals) {
-    analysis::ReportInput input;
-    input.analysis = std::move(result);
-    input.attendance = std::move(answers.attendance);
-    add_sources(input, {globals.data, study, options.measurement});
-    analysis::write_report(analysis::report_files(input), options.out);
-    if (globals.quiet) return;
-    fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
+/// What is shown on the standard output.
+std::string shown_text(const analysis::ReportInput& input, const AnalyzeOptions& options) {
+    if (options.json) return analysis::json_report(input.analysis);
+    if (options.full) {
+        return analysis::text_report(
+            input.analysis, analysis::caveats_of(input.analysis, input.images, input.attendance));
+    }
+    std::string text = analysis::summary_text(input.analysis) + '\n';
+    if (options.out.empty()) {
+        return text +
+               "All tests in words: --full. As a page with plots, and ready for a paper: --out "
+               "DIR.\n";
+    }
+    return text + fmt::format("report    {}\npaper     {}\nall tests {}\n",
+                              (options.out / "report.html").string(),
+                              (options.out / "paper").string(),
+                              (options.out / "analysis.txt").string());
 }
 
 /// Counts and tables of other programs are looked at once, or nobody knows how often.
@@ -174,18 +183,24 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     }
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
+    analysis::ReportInput input;
     const analysis::AnalysisOptions parts{wants_model(options, answers.tally)};
-    analysis::Analysis result = analysis::analyse(answers.tally, parts);
+    input.analysis = analysis::analyse(answers.tally, parts);
     if (!options.preregistered.empty()) {
-        result.registration = registration_of(answers, result, options);
+        input.analysis.registration = registration_of(answers, input.analysis, options);
     }
     if (looks) looks->note(static_cast<std::int64_t>(answers.tally.participants.size()));
-    const std::string shown =
-        options.json ? analysis::json_report(result) : analysis::text_report(result);
-    if (!options.out.empty()) {
-        write_report(std::move(result), std::move(answers), study, options, globals);
+    input.attendance = std::move(answers.attendance);
+    if (!options.out.empty() || options.full) {
+        add_sources(input, {globals.data, study, options.measurement});
     }
-    fmt::print("{}", shown);
+    if (!options.out.empty()) {
+        analysis::write_report(analysis::report_files(input), options.out);
+        if (!globals.quiet && (options.json || options.full)) {
+            fmt::print(stderr, "report    {}\n", (options.out / "report.html").string());
+        }
+    }
+    fmt::print("{}", shown_text(input, options));
     return base::ExitCode::kDone;
 }
 
@@ -234,10 +249,16 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
                     "[unasked for up to {} answers]",
                     analysis::kMostModelled));
     app.add_flag("--no-model", options->no_model, "Leave that out").excludes({model});
-    app.add_flag("--json", options->json, "Print JSON instead of a table");
+    const Option json = app.add_flag("--json", options->json, "Print JSON instead of a table");
+    app.add_flag("--full", options->full,
+                 "Print every test in words instead of one screen: what analysis.txt of the report "
+                 "holds")
+        .excludes({json});
     const Option out = app.add("--out", options->out,
                                "Folder for the report: report.html, report.md, analysis.txt, "
-                               "analysis.json, plots/, thumbnails/; what is there is replaced")
+                               "analysis.json, plots/, thumbnails/, and in paper/ methods, "
+                               "results, tables and figures as Markdown, LaTeX, CSV, SVG and PDF; "
+                               "what is there is replaced")
                            .type("DIR");
     app.add("--study-file", options->study_file,
             "Study file, for which scenes are the same and for the report's title and "

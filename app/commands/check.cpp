@@ -56,8 +56,8 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
     for (const std::string& warning : warnings) {
         fmt::print("{}: warning: {}\n", source.name, warning);
     }
-    for (const std::string& note : kiosk::notes_on_pages(study)) {
-        fmt::print("{}: note: {}\n", source.name, note);
+    for (const auto& notes : {stimuli::notes_on(study), kiosk::notes_on_pages(study)}) {
+        for (const std::string& note : notes) fmt::print("{}: note: {}\n", source.name, note);
     }
     const std::size_t conditions = study.conditions.size();
     const std::size_t count = warnings.size();

@@ -4,8 +4,10 @@
 
 #include <memory>
 
+#include "analysis/conclusions/exported_conclusions.h"
 #include "analysis/export/contents.h"
 #include "analysis/presentation/report.h"
+#include "analysis/presentation/summary.h"
 #include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
 #include "analysis/store/store.h"
@@ -30,6 +32,7 @@ struct DemoOptions {
     std::string study = "jakobsen2010";
     fs::path out;  ///< empty: DATA/demo
     int participants = 36;
+    bool full = false;
 };
 
 /// Observers who choose as often as was published.
@@ -46,10 +49,10 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
                         simulation);
 }
 
-/// Writes tables and the report, and gives the analysis as text.
+/// Writes tables and the report, and gives the analysis as text, in one screen or in full.
 [[nodiscard]] std::string analyse(const stimuli::Study& study,
                                   const analysis::ExportedStudy& exported, const fs::path& out,
-                                  const fs::path& file) {
+                                  const fs::path& file, bool full) {
     const fs::path reports = out / "reports";
     Store store(store_url_of(file), Store::Access::kReadOnly);
     const analysis::StoreContents contents = analysis::read_contents(store);
@@ -58,6 +61,7 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
     export_options.overwrite = true;
     export_options.studies = {exported};
     export_options.software = kiosk::software_version();
+    (void)analysis::add_conclusions(export_options, store, store_url_of(file));
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
     analysis::Tally tally = analysis::tally_trials(store_url_of(file), contents.sessions,
@@ -67,7 +71,9 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
     add_sources(input, {out, study, {}});
     analysis::write_report(analysis::report_files(input), reports);
-    return analysis::text_report(input.analysis);
+    if (!full) return analysis::summary_text(input.analysis);
+    return analysis::text_report(
+        input.analysis, analysis::caveats_of(input.analysis, input.images, input.attendance));
 }
 
 base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
@@ -81,16 +87,19 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
     simulate_published(study, images,
                        {file, "--out", options.participants, study.seed, globals.quiet});
-    const std::string report = analyse(
-        study, exported_study(stimuli::study_source(options.study), study, images), out, file);
+    const std::string report =
+        analyse(study, exported_study(stimuli::study_source(options.study), study, images), out,
+                file, options.full);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"
-        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n",
+        "images    {}\nanswers   {}\ntables    {}\nreport    {}\n"
+        "Next: open the report. obscura run {} shows the study to people; obscura check FILE reads "
+        "one of your own.\n",
         options.participants == 1 ? "The observer is"
                                   : fmt::format("The {} observers are", options.participants),
         images.string(), file.string(), (out / "reports" / "export").string(),
-        (out / "reports" / "report.html").string());
+        (out / "reports" / "report.html").string(), options.study);
     return base::ExitCode::kDone;
 }
 
@@ -106,6 +115,7 @@ std::function<base::ExitCode()> attach_demo(const Options& app, const Globals& g
         .type("N")
         .between(1, 100000)
         .shows_default();
+    app.add_flag("--full", options->full, "Print every test in words instead of one screen");
     app.footer(
         "Images that are there from the same inputs are kept; the store, tables and analysis of an "
         "earlier demo are replaced.");

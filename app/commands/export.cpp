@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "analysis/export/export.h"
+#include "analysis/conclusions/exported_conclusions.h"
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
@@ -149,7 +149,13 @@ base::ExitCode export_answers(const ExportOptions& options, const Globals& globa
         base::log::info("numbered in an order of seed {}: whoever knows it can undo that",
                         *wanted.anonymous_seed);
     }
-    const analysis::Exported exported = analysis::export_store(store, wanted);
+    analysis::Exported exported;
+    store.of_one_moment([&] {
+        for (const std::string& note : analysis::add_conclusions(wanted, store, url)) {
+            base::log::warn("{}", note);
+        }
+        exported = analysis::export_store(store, wanted);
+    });
     const bool has_manifest = std::any_of(
         wanted.studies.begin(), wanted.studies.end(),
         [](const analysis::ExportedStudy& study) { return !study.manifest_text.empty(); });

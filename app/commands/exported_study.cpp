@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "stimuli/manifest.h"
+#include "stimuli/view_names.h"
 
 namespace obscura::app {
 
@@ -16,6 +17,11 @@ analysis::ExportedStudy exported_study(const stimuli::StudySource& source,
     exported.question = study.question;
     exported.instructions = study.instructions;
     exported.file_text = source.text;
+    exported.sha256 = study.sha256;
+    const auto names = stimuli::view_names(study);
+    for (const stimuli::StudyScene& scene : study.scenes) {
+        exported.views[scene.id] = {scene.source, scene.camera, names.at(scene.id)};
+    }
     return exported;
 }
 
@@ -35,8 +41,8 @@ analysis::ExportedStudy exported_study(const std::string& name,
     exported.manifest_text = base::read_file(file);
     for (const stimuli::ManifestImage& image : manifest.images) {
         if (std::filesystem::is_regular_file(images / image.file, ignored)) {
-            exported.images.push_back(
-                {image.condition, image.side == "a" ? 'A' : 'B', image.file, image.sha256});
+            exported.images.push_back({image.condition, image.side == "a" ? 'A' : 'B', image.file,
+                                       image.sha256, image.source, image.camera});
         }
     }
     return exported;

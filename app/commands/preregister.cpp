@@ -89,8 +89,7 @@ analysis::Registration registration_of(const Study& study, const PreregisterRequ
     const std::vector<std::string> problems = stimuli::problems_of_stimuli(study, images);
     if (!problems.empty()) {
         throw base::bad_input(
-            "--preregister: the images are fixed with the rest, and are not ready: {}; obscura "
-            "render makes them",
+            "--preregister: the images are fixed with the rest, and are not ready: {}",
             problems.front());
     }
     analysis::Registration registration;

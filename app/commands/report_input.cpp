@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/kiosk/machine.h"
 #include "stimuli/embedded.h"
 #include "stimuli/manifest.h"
 #include "stimuli/stimulus.h"
@@ -34,6 +35,8 @@ ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantName
     result.camera = image.camera;
     result.validity = image.validity;
     put_variant(result, image.variant, names.at({image.condition, image.side == "a" ? 'a' : 'b'}));
+    result.mean_luminance = image.mean_luminance;
+    result.mean_occlusion = image.mean_occlusion;
     result.file = folder / image.file;
     result.sha256 = image.sha256;
     return result;
@@ -80,9 +83,12 @@ void add_images(analysis::ReportInput& input, const ReportSources& sources,
 }  // namespace
 
 void add_sources(analysis::ReportInput& input, const ReportSources& sources) {
+    input.software = kiosk::software_version();
     std::string name = input.analysis.tally.study;
     if (sources.study) {
-        input.study = {sources.study->title, sources.study->question};
+        const stimuli::Study& study = *sources.study;
+        input.study = {study.title, study.question, static_cast<double>(study.grey_ms),
+                       std::string(to_string(study.order))};
         name = sources.study->name;
     }
     add_images(input, sources, name);

@@ -55,7 +55,8 @@ const std::string kPublished = OBSCURA_SOURCE_DIR "/analysis/data/jakobsen2010.c
 
 TEST_F(CommandsTest, AnalyzePrintsATableOrJsonAndWritesBoth) {
     const fs::path out = folder / "reports";
-    const Ending table = run(analyze_command(), {"--counts", kPublished, "--out", out.string()});
+    const Ending table =
+        run(analyze_command(), {"--counts", kPublished, "--full", "--out", out.string()});
     EXPECT_EQ(table.code, ExitCode::kDone) << table.message;
     EXPECT_EQ(base::read_file(out / "analysis.txt"), table.out);
     const Ending json = run(analyze_command(), {"--counts", kPublished, "--json"});

@@ -176,6 +176,7 @@ TEST_F(DatasetExport, BidsHasItsRequiredFilesAndNothingWithAnotherName) {
     const std::regex allowed(
         "dataset_description\\.json|README|participants\\.(tsv|json)|\\.obscura-export|"
         "task-[a-zA-Z0-9]+_(beh|events)\\.json|stimuli/.*|sourcedata/events\\.(tsv|json)|"
+        "code/main_tests\\.(?:R|py)|code/tests\\.(?:tsv|json)|"
         "(sub-[a-zA-Z0-9]+)/beh/"
         "\\4_task-[a-zA-Z0-9]+(_run-[0-9]+)?_(beh\\.(tsv|json)|events\\.tsv)");
     for (const auto& entry : fs::recursive_directory_iterator(out_)) {
@@ -298,7 +299,7 @@ TEST_F(DatasetExport, PsychDsMeasuresEveryColumnAndNumbersEveryRow) {
         }
         ++tables;
     }
-    EXPECT_EQ(tables, 5);
+    EXPECT_EQ(tables, 6);
 }
 
 TEST_F(DatasetExport, AnAnonymousExportOfAnyFormatTellsNothingOfWhoItWas) {

@@ -84,7 +84,7 @@ TrialRecord trial_of(const std::map<std::string, std::string>& row) {
     trial.first_shown = row.at("first_shown").at(0);
     trial.response_first = row.at("response") == "first";
     trial.is_A_selected = row.at("is_A_selected") == "1";
-    trial.response_time_s = number(row.at("response_time (s)"));
+    trial.response_time_s = number(row.at("response_time_s"));
     trial.first_onset_s = number(row.at("first_onset_s"));
     trial.second_onset_s = number(row.at("second_onset_s"));
     trial.question_onset_s = number(row.at("question_onset_s"));
@@ -199,7 +199,7 @@ TEST_F(ExportTest, TrialsHaveThePromisedColumns) {
                                             "is_A_selected",
                                             "first_shown",
                                             "response",
-                                            "response_time (s)",
+                                            "response_time_s",
                                             "grey_ms_measured",
                                             "first_view_ms",
                                             "second_view_ms",
@@ -228,7 +228,7 @@ TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
     tests::add_completed(store, 0);
     write();
     const json dictionary = json::parse(base::read_file(out / "data_dictionary.json"));
-    ASSERT_EQ(dictionary.size(), 5U);
+    ASSERT_EQ(dictionary.size(), 6U);
     for (const auto& [file, entries] : dictionary.items()) {
         const auto header = parse_csv(base::read_file(out / file), file)[0].fields;
         EXPECT_EQ(header.size(), entries.size()) << file;
@@ -238,7 +238,7 @@ TEST_F(ExportTest, EveryColumnIsInTheDictionaryAndEveryTableSaysItsKind) {
             EXPECT_FALSE(entries[column]["Description"].get<std::string>().empty());
         }
     }
-    EXPECT_EQ(dictionary["trials.csv"]["response_time (s)"]["Units"], "s");
+    EXPECT_EQ(dictionary["trials.csv"]["response_time_s"]["Units"], "s");
     EXPECT_EQ(dictionary["trials.csv"]["grey_ms_measured"]["Units"], "ms");
     EXPECT_TRUE(dictionary["trials.csv"]["kind"]["Levels"].contains("simulated"));
     EXPECT_TRUE(dictionary["trials.csv"]["first_shown"]["Levels"].contains("B"));
@@ -300,16 +300,17 @@ TEST_F(ExportTest, FilesThatAreThereAreOverwrittenOnlyWhenAsked) {
         ADD_FAILURE() << "overwritten";
     } catch (const base::Error& error) {
         EXPECT_EQ(error.code(), base::ExitCode::kBadInput);
-        EXPECT_THAT(error.what(), HasSubstr("an export of 6 files (participants.csv"));
+        EXPECT_THAT(error.what(), HasSubstr("an export of 9 files (participants.csv"));
         EXPECT_THAT(error.what(), HasSubstr("--force"));
     }
     EXPECT_EQ(base::read_file(out / "trials.csv"), "mine\n");
     EXPECT_FALSE(fs::exists(out / "sessions.csv"));
     write(true);
     EXPECT_NE(base::read_file(out / "trials.csv"), "mine\n");
-    EXPECT_THAT(names_in(out), UnorderedElementsAre("participants.csv", "sessions.csv",
-                                                    "trials.csv", "conditions.csv", "events.csv",
-                                                    "data_dictionary.json", ".obscura-export"));
+    EXPECT_THAT(names_in(out),
+                UnorderedElementsAre("participants.csv", "sessions.csv", "trials.csv",
+                                     "conditions.csv", "events.csv", "tests.csv", "main_tests.R",
+                                     "main_tests.py", "data_dictionary.json", ".obscura-export"));
 }
 
 TEST_F(ExportTest, AFileThatIsNotOfAnExportIsOverwrittenOnlyWhenAsked) {

@@ -111,6 +111,7 @@ TEST(Looks, AreKnownByTheirNumberOfParticipantsAndTheBoundaryIsApplied) {
     EXPECT_EQ(second.verdicts[0].conclusion, Conclusion::kUndecided);
     EXPECT_GT(*second.verdicts[0].p_holm, .05);
     EXPECT_THAT(text_report(second), HasSubstr("look 2"));
+    EXPECT_THAT(second.verdicts[0].sentence, HasSubstr("after spending for this look and Holm"));
     // 19 of 24: p .0066.
     EXPECT_EQ(looked_at(24, 19, kThreeLooks).verdicts[0].conclusion, Conclusion::kBPreferred);
     // 18 of 24 again, where there is one look and nothing to spend for.

@@ -293,6 +293,7 @@ TEST_F(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion
     auto session = a_session(0);
     session.condition_count = 3;
     session.exclusion = R"({"min_catch_correct":0.8})";
+    session.study_plan = R"({"sides":"trial"})";
     auto attentive = a_trial(0, 1);
     attentive.kind = Kind::kCatch;
     attentive.expected = 'B';
@@ -308,6 +309,7 @@ TEST_F(StoreTest, KeepsWhatACatchTrialExpectsWhatIsRepeatedAndTheRuleOfExclusion
     store.complete_session("s0", kUtc);
     EXPECT_THAT(store.trials(), ElementsAre(a_trial(0, 0), attentive, repeated));
     EXPECT_EQ(store.sessions().front().exclusion, session.exclusion);
+    EXPECT_EQ(store.sessions().front().study_plan, session.study_plan);
 }
 
 TEST_F(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
@@ -315,6 +317,10 @@ TEST_F(StoreTest, RefusesExpectationsRepeatsAndRulesThatCannotBe) {
     auto session = a_session(0);
     session.exclusion = "0.8";
     expect_refused(store, ExitCode::kBadInput, "exclusion is '0.8', allowed is a JSON object",
+                   [&] { store.begin_session(a_participant(0), session); });
+    session.exclusion = "";
+    session.study_plan = "[]";
+    expect_refused(store, ExitCode::kBadInput, "study_plan is '[]', allowed is a JSON object",
                    [&] { store.begin_session(a_participant(0), session); });
     store.begin_session(a_participant(0), a_session(0));
     const auto refused = [&](const std::string& text, const auto& spoil) {

@@ -110,7 +110,7 @@ struct Bad {
 TEST(AttentionInStudy, EveryMistakeIsSaidAtItsLineWithWhatIsAllowed) {
     const std::vector<Bad> list{
         {"catch = \"b\"", "catch = \"B\"", 30, "\"B\" is no side, allowed are a, b"},
-        {"catch = \"b\"", "catch = true", 30, "is a truth value, allowed is a string"},
+        {"catch = \"b\"", "catch = true", 30, "is no text, allowed are \"a\", \"b\""},
         {"repeats = \"one\"", "repeats = \"on\"", 36, "did you mean \"one\"?"},
         {"repeats = \"one\"", "repeats = 1", 36, "is an integer"},
         {"repeats = \"one\"", "repeats = \"check\"", 36, "is an attention check"},

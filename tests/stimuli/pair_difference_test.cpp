@@ -42,6 +42,14 @@ TEST(ImageDifference, IsThatOfCielabUnderD65) {
     EXPECT_NEAR(delta_e({0, 0, 255}, {0, 255, 0}), 258.69, 0.2);
 }
 
+TEST(MeanLuminance, IsThatOfSrgbAsAShareOfWhite) {
+    EXPECT_NEAR(mean_luminance(plain(3, 2, {255, 255, 255})), 1.0, 1e-6);
+    EXPECT_NEAR(mean_luminance(plain(3, 2, {0, 255, 0})), 0.7152, 1e-6);
+    EXPECT_NEAR(mean_luminance(plain(1, 1, {188, 188, 188})), 0.5029, 1e-4);  // IEC 61966-2-1
+    EXPECT_NEAR(mean_luminance(with_pixels(plain(2, 2, {0, 0, 0}), 1, {255, 255, 255})), 0.25,
+                1e-6);
+}
+
 TEST(ImageDifference, OfACodeValueIsBelowWhatIsNoticedWhereverItLies) {
     for (int code = 0; code < 255; ++code) {
         const auto low = static_cast<std::uint8_t>(code);

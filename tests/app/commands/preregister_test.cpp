@@ -49,7 +49,7 @@ TEST(Preregistration, FixesAllOfAStudyAndItsAnalysisSaysWhatDeviates) {
     const std::string plan = "plan reg.toml --participants 12 --preregister reg --quiet";
     const ProgramRun early = run_program(folder, plan);
     EXPECT_EQ(early.exit_code, 2);
-    EXPECT_THAT(early.err, HasSubstr("obscura render makes them"));
+    EXPECT_THAT(early.err, HasSubstr("obscura render makes it"));
     ASSERT_EQ(run_program(folder, "render reg.toml --quiet").exit_code, 0);
     const ProgramRun written = run_program(folder, plan);
     ASSERT_EQ(written.exit_code, 0) << written.err;
