@@ -143,8 +143,8 @@ TEST(Looks, WithoutAPlanSaySoAndWhatTheyDoToFivePerCent) {
     const Analysis planned_once = looked_at(36, 18, kOneLook, {12});
     EXPECT_THAT(planned_once.look->words, HasSubstr("planned one look, at 36"));
     EXPECT_THAT(planned_once.look->words, HasSubstr("not in 5 %"));
-    const auto json = nlohmann::json::parse(json_report(third));
-    EXPECT_EQ(json["look"]["number"], 3);
+    const auto read = nlohmann::json::parse(json_report(third));
+    EXPECT_EQ(read["look"]["number"], 3);
 }
 
 TEST(Looks, ThatAreTheOnlyOneOfTheirPlanSayJustThat) {

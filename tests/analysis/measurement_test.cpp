@@ -265,9 +265,9 @@ TEST(MeasurementRows, WithoutAnErrorHaveEmptyCellsAndAReason) {
     rows[0].error = Possible<AccessibilityError>::none("nothing is to be seen");
     const auto records = parse_csv(measurement_csv(rows), "measure.csv");
     EXPECT_EQ(records[1].fields[18], "");
-    const auto json = nlohmann::json::parse(measurement_json(rows));
-    EXPECT_TRUE(json[0]["rmse"].is_null());
-    EXPECT_EQ(json[0]["rmse_reason"], "nothing is to be seen");
+    const auto read = nlohmann::json::parse(measurement_json(rows));
+    EXPECT_TRUE(read[0]["rmse"].is_null());
+    EXPECT_EQ(read[0]["rmse_reason"], "nothing is to be seen");
 }
 
 TEST(MeasurementRows, AreOnTheFrontOfTheirOwnViewOnly) {
