@@ -167,7 +167,7 @@ std::vector<std::string> method_paragraphs(const ReportInput& input) {
                     correction_words(analysis),
                     fmt::format("Everything was computed by {} (seed {} of all draws).",
                                 input.software.empty() ? "Obscura" : input.software,
-                                analysis.resampling.seed)})};
+                                kAnalysisSeed)})};
 }
 
 std::vector<std::string> result_paragraphs(const ReportInput& input) {
