@@ -192,15 +192,15 @@ TEST(Fits, VaryWhatTheDescriptorLetsThemAndNeverSamples) {
 TEST(StudyWriter, ReplacesOneSideAndLeavesTheRestOfTheTextAlone) {
     const std::string text = stimuli::study_source("").text;
     const std::map<std::string, double> values{{"radius_m", 0.123456789012345}, {"power", 3.0}};
-    const stimuli::Condition before = *stimuli::load_study("").find_condition("III");
-    const std::string changed = stimuli::with_variants(text, "study", {{"III", 'b', values}});
+    const stimuli::Condition before = *stimuli::load_study("").find_condition("IV");
+    const std::string changed = stimuli::with_variants(text, "study", {{"IV", 'a', values}});
     const stimuli::Study study = stimuli::parse_study(changed, "changed");
-    std::map<std::string, double> expected = before.b.parameters;
+    std::map<std::string, double> expected = before.a.parameters;
     for (const auto& [name, value] : values) expected[name] = value;
-    EXPECT_EQ(study.find_condition("III")->b.parameters, expected);
+    EXPECT_EQ(study.find_condition("IV")->a.parameters, expected);
     EXPECT_EQ(study.find_condition("VI")->b.parameters,
               stimuli::load_study("").find_condition("VI")->b.parameters);
-    EXPECT_THAT(changed, HasSubstr("# H1: ambient occlusion raises perceived realism."));
+    EXPECT_THAT(changed, HasSubstr("# The techniques of a pair reach over the same area"));
 }
 
 }  // namespace
