@@ -6,10 +6,10 @@
 //   calibration_bench [STUDIES [STUDIES WITH THE MIXED MODEL]]
 // Nobody prefers anything over all people: a, no preference at all; b1, b2, likings of standard
 // deviation 1 and 2 (log odds), shared over conditions; bl and bs, 2, apart for each level and each
-// scene; order, b1 with the second image chosen by 60 %; careless, b1 with a fifth who always choose
-// the first; varied, b1 with sides varied within a session. Preferences that differ between scenes
-// only: scenes. What is there to be found: .65, every B preferred by that share, and b1's likings
-// beside it; high, by that share at the high level alone.
+// scene; order, b1 with the second image chosen by 60 %; careless, b1 with a fifth who always
+// choose the first; varied, b1 with sides varied within a session. Preferences that differ between
+// scenes only: scenes. What is there to be found: .65, every B preferred by that share, and b1's
+// likings beside it; high, by that share at the high level alone.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -76,7 +76,8 @@ inline void count_levels(const analysis::Tally& tally, Rates& rates) {
 struct Truth {
     double share = .5;  ///< of B in H1's conditions, each variant as often first
     double jod = 0.0;   ///< of Blizzard24 over None
-    double order = 0.0;  ///< by how much more often B is chosen where it is second, in all conditions
+    double order =
+        0.0;  ///< by how much more often B is chosen where it is second, in all conditions
 };
 
 inline Truth truth_of(const People& people) {
@@ -133,8 +134,7 @@ inline void count_studies(const People& people, int participants, int studies, s
         rates.count("conditions differ, Q",
                     h1.heterogeneity.has_value() && h1.heterogeneity->test.p.p < .05);
         if (h1.model.has_value() && h1.model->conditions_differ.has_value()) {
-            rates.count("conditions differ, mixed model",
-                        h1.model->conditions_differ->p.p < .05);
+            rates.count("conditions differ, mixed model", h1.model->conditions_differ->p.p < .05);
         }
         for (const Comparison& comparison : analysis.validity->by_level) {
             rates.count("H3, McNemar", p_of(comparison)->p < .05);
