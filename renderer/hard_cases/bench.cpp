@@ -10,7 +10,7 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
-#include "renderer/reference/reference.h"
+#include "renderer/technique/reference.h"
 
 namespace obscura::renderer {
 namespace {
