@@ -30,7 +30,7 @@ class Layout {
         io.UserData = &page_;
         io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
         try {
-            fonts_ = load_fonts({}, window.height);
+            fonts_ = window::load_fonts({}, window::sizes_of_pages(window.height));
         } catch (...) {
             end();
             throw;

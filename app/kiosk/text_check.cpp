@@ -12,8 +12,8 @@
 #include <map>
 #include <set>
 
-#include "app/kiosk/font_files.h"
 #include "app/kiosk/typesetter.h"
+#include "app/window/font_files.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -79,7 +79,7 @@ constexpr std::size_t kNamed = 6;  // characters that a sentence names
 [[nodiscard]] std::vector<std::string> problems_with(Typesetter& typesetter,
                                                      const std::string& text) {
     std::set<char32_t> control;
-    for (const char32_t character : characters_of({text})) {
+    for (const char32_t character : window::characters_of({text})) {
         if (is_control(character)) control.insert(character);
     }
     std::map<std::string, std::set<char32_t>> packages;

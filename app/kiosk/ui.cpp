@@ -32,7 +32,7 @@ Ui::Ui(Window& window, const stimuli::Words& words, int grey_level)
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     try {
-        fonts_ = load_fonts({}, window.size().height);
+        fonts_ = window::load_fonts({}, window::sizes_of_pages(window.size().height));
     } catch (...) {
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();

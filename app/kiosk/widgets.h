@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "app/kiosk/fonts.h"
 #include "app/kiosk/page.h"
 #include "app/kiosk/text_entry.h"
+#include "app/window/fonts.h"
 
 namespace obscura::app::kiosk {
+
+using window::Fonts;
 
 // Every text is set by the page's typesetter, in any script; on a mirrored page all of this begins
 // at the right.

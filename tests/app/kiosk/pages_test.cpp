@@ -18,7 +18,7 @@
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/screens.h"
 #include "app/kiosk/stage.h"
-#include "app/kiosk/theme.h"
+#include "app/window/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
 
@@ -284,7 +284,7 @@ TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
 }
 
 TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
-    using namespace theme;
+    using namespace window::theme;
     ShownPage page = show([&] { return pairs_screen(ui_.fonts(), 1, 3); });
     page.draw();
     const auto& texts = page_state().tools.typesetter->uses();
