@@ -180,8 +180,7 @@ void Database::settle_connection() {
 
 void Database::take_up_connection() {
     if (!connected_ || reading_ != nullptr) return;
-    const auto* backend =
-        static_cast<soci::postgresql_session_backend*>(session_.get_backend());
+    const auto* backend = static_cast<soci::postgresql_session_backend*>(session_.get_backend());
     if (backend != nullptr && PQstatus(backend->conn_) == CONNECTION_OK) return;
     session_.reconnect();
     settle_connection();

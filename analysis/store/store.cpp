@@ -291,8 +291,8 @@ std::vector<SessionRecord> Store::open_sessions(const std::string& study, Kind k
 
 std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uint64_t seed,
                                               Kind kind) {
-    return impl_->database.guarded(
-        "read", [&] { return slots_taken(impl_->database, study, seed, kind); });
+    return impl_->database.guarded("read",
+                                   [&] { return slots_taken(impl_->database, study, seed, kind); });
 }
 
 std::vector<ParticipantRecord> Store::participants() {

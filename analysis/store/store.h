@@ -46,7 +46,8 @@ class Store {
     /// Where a slot is taken by then and `move` is given, `move` puts the session into another one,
     /// told which are taken: in the same transaction, so that no slot is left out or given twice,
     /// however many programs begin sessions at once. Gives the slot that it has.
-    using MoveSession = std::function<void(SessionRecord&, const std::vector<std::uint64_t>& taken)>;
+    using MoveSession =
+        std::function<void(SessionRecord&, const std::vector<std::uint64_t>& taken)>;
     std::uint64_t begin_session(const ParticipantRecord& participant, const SessionRecord& session,
                                 const std::vector<EventRecord>& events = {},
                                 const MoveSession& move = nullptr);

@@ -51,8 +51,7 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
 
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
     if (!is_file(store_url)) return words("all_saved");
-    return words("all_saved_in",
-                 {{"file", std::filesystem::path(store_url).filename().string()}});
+    return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
 }
 
 /// One kiosk in its window.

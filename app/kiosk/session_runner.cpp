@@ -114,9 +114,8 @@ bool SessionRunner::save() {
                          nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
                          *reason);
         const Trouble trouble =
-            nothing_waits
-                ? Trouble{words("store_moved"), *reason, words("store_moved_text")}
-                : trouble_of(journal_.waiting().front(), *reason, words);
+            nothing_waits ? Trouble{words("store_moved"), *reason, words("store_moved_text")}
+                          : trouble_of(journal_.waiting().front(), *reason, words);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting())
                 base::log::error("not saved: {}", describe(row));

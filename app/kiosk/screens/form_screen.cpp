@@ -122,7 +122,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
     std::optional<Event> event;
     const FormProblems problems = problems_of(form_of(draft));
     card(
-        "##form", 36.0F, [&] { questions(fonts, draft, problems); },
+        "##form", 40.0F, [&] { questions(fonts, draft, problems); },
         [&] {
             if (!primary_button(words()("continue"))) return;
             draft.submitted = true;
@@ -131,8 +131,7 @@ std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
             if (left.none()) {
                 event = FormSubmitted{form};
             } else {
-                draft.to_fill =
-                    left.age ? FormDraft::ToFill::kAge : FormDraft::ToFill::kConsent;
+                draft.to_fill = left.age ? FormDraft::ToFill::kAge : FormDraft::ToFill::kConsent;
             }
         });
     return event;

@@ -82,7 +82,7 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
     draft.submitted = true;
     draft.gender = Gender::kOwnWords;
     for (int i = 0; i < 4; ++i) draft.age.type(U'7');
-    draft.own_words.type(U'\U000E0FFF');
+    draft.own_words.type(U'\U0010FFFD');
     const Trouble trouble{words("not_saved"), "(reason)", words("not_saved_text")};
     const Trouble moved{words("store_moved"), "(reason)", words("store_moved_text")};
     const Trouble silent{words("store_silent"), "(reason)", words("store_silent_text")};
@@ -149,6 +149,12 @@ TEST(Languages, NoPageSaysAWordThatIsNotOfItsLanguageAndEveryWordIsOnAPage) {
                 EXPECT_TRUE(is_word || is_other) << language << ": " << text;
             }
         }
+        FormDraft letters;
+        letters.age.type(U'x');
+        for (const std::string& text :
+             kiosk.texts_of([&](const Fonts& fonts) { (void)form_screen(fonts, letters); })) {
+            if (text == study.words("only_digits")) seen.insert("only_digits");
+        }
         // What takes the place of a foot that is not yet in view.
         seen.insert("read_on");
         for (const auto& [key, text] : study.words.all()) {
@@ -194,7 +200,8 @@ TEST_F(TypesetterTest, AParagraphBeginsAtTheSideOfItsOwnScript) {
     for (const char* language : {"en", "ar"}) {
         Typesetter typesetter = of(language);
         EXPECT_EQ(typesetter.set("Which image?", kWide).left_px, 0.0F) << language;
-        const SetText& arabic = typesetter.set("\u0623\u064A \u0635\u0648\u0631\u0629\u061F", kWide);
+        const SetText& arabic =
+            typesetter.set("\u0623\u064A \u0635\u0648\u0631\u0629\u061F", kWide);
         EXPECT_GT(arabic.left_px, 200.0F) << language;
         EXPECT_NEAR(arabic.left_px + arabic.width_px, 400.0F, 1.0F) << language;
     }
@@ -202,7 +209,8 @@ TEST_F(TypesetterTest, AParagraphBeginsAtTheSideOfItsOwnScript) {
 
 TEST_F(TypesetterTest, ASentenceFromTheRightStaysOneWhereItBeginsWithALatinWord) {
     Typesetter typesetter = of("ar");
-    const SetText& mixed = typesetter.set("Enter \u0644\u0644\u0645\u062A\u0627\u0628\u0639\u0629", kWide);
+    const SetText& mixed =
+        typesetter.set("Enter \u0644\u0644\u0645\u062A\u0627\u0628\u0639\u0629", kWide);
     EXPECT_NEAR(mixed.left_px + mixed.width_px, 400.0F, 1.0F);
 }
 

@@ -289,10 +289,9 @@ TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
     page.draw();
     const auto& texts = page_state().tools.typesetter->uses();
     for (const Typesetter::Use& text : texts) {
-        EXPECT_TRUE(
-            std::ranges::any_of(std::array{kInk, kFaintInk, kOnAccent}, [&](const ImVec4& ink) {
-                return ImGui::ColorConvertFloat4ToU32(ink) == text.colour;
-            }))
+        EXPECT_TRUE(std::ranges::any_of(
+            std::array{kInk, kFaintInk, kOnAccent},
+            [&](const ImVec4& ink) { return ImGui::ColorConvertFloat4ToU32(ink) == text.colour; }))
             << text.text;
     }
     EXPECT_GE(texts.size(), 6U) << "heading, hint, three pairs, how many are done";
