@@ -72,7 +72,7 @@ class StoreTest : public testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Both, StoreTest, testing::Values("SQLite", "PostgreSQL"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& system) { return std::string(system.param); });
 
 TEST_P(StoreTest, GivesBackEveryFieldAsItWasWritten) {
     auto participant = a_participant(0);
