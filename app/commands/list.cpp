@@ -9,6 +9,7 @@ const std::vector<Command>& commands() {
         demo_command(),     run_command(),    render_command(),  plan_command(),
         rehearse_command(), export_command(), analyze_command(), power_command(),
         check_command(),    ao_command(),     measure_command(), scene_command(),
+        explore_command(),
     };
     return list;
 }
