@@ -15,6 +15,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
 #include "stimuli/pairs.h"
 #include "stimuli/variant_format.h"
@@ -95,13 +96,18 @@ StimulusRenderer::View StimulusRenderer::view_of(const Stimulus& stimulus) {
     return {lighting_of(scene), camera};
 }
 
+const renderer::ReferenceScene& StimulusRenderer::rays() {
+    if (!loaded_.reference) {
+        loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
+    }
+    return *loaded_.reference;
+}
+
 renderer::TracedAccessibility StimulusRenderer::tracer() {
     return [this](const renderer::Camera& camera, int width, int height,
                   const renderer::Variant& choice) {
-        if (!loaded_.reference) {
-            loaded_.reference = std::make_unique<renderer::ReferenceScene>(*loaded_.opened.scene);
-        }
-        return loaded_.reference->trace(camera, width, height, renderer::reference_options(choice))
+        return rays()
+            .trace(camera, width, height, renderer::reference_options(choice))
             .accessibility;
     };
 }
@@ -110,8 +116,9 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
                                          const renderer::FrameOptions& options,
                                          const renderer::ViewBuffers& known) {
     const View view = view_of(stimulus);
-    return renderer_.render({*loaded_.gpu, view.lighting, view.camera, options, tracer()},
-                            stimulus.choice(), study_.width, study_.height, known);
+    return renderer_.render(
+        {*loaded_.gpu, view.lighting, view.camera, options, tracer(), rays_of_scene()},
+        stimulus.choice(), study_.width, study_.height, known);
 }
 
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
@@ -135,9 +142,10 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
     renderer::FrameOptions options = study_.frame_options();
     options.all_buffers = true;
-    return renderer_.render({*loaded_.gpu, lighting, view.camera, options, tracer(),
-                             renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
-                            stimulus.choice(), study_.width, study_.height);
+    return renderer_.render(
+        {*loaded_.gpu, lighting, view.camera, options, tracer(), rays_of_scene(),
+         renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
+        stimulus.choice(), study_.width, study_.height);
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {

@@ -82,7 +82,11 @@ class StimulusRenderer {
         const renderer::Camera& camera;
     };
     View view_of(const Stimulus& stimulus);
-    /// Traces rays through the scene that is loaded, for the technique that asks for it.
+    /// The rays of the scene that is loaded, for the techniques that ask for them.
+    const renderer::ReferenceScene& rays();
+    renderer::RaysOfScene rays_of_scene() {
+        return [this]() -> const renderer::ReferenceScene& { return rays(); };
+    }
     renderer::TracedAccessibility tracer();
     renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options,
                            const renderer::ViewBuffers& known = {});

@@ -32,6 +32,7 @@ void report_unknown_technique(TableReader& reader, const std::string& name) {
 void allow_any_setting(TableReader& reader) {
     reader.allow("samples");
     reader.allow("denoise");
+    reader.allow("preset");
     for (const VariantOption& option : renderer::variant_options()) reader.allow(option.name);
     for (const renderer::Technique& technique : renderer::techniques()) {
         for (const renderer::Parameter& parameter : technique.parameters) {
@@ -53,6 +54,10 @@ void read_settings(TableReader& reader, const renderer::Technique& technique, Va
     for (const renderer::Parameter& parameter : technique.parameters) {
         const std::optional<double> value = reader.number(parameter.name, Need::kOptional);
         if (value) variant.parameters[parameter.name] = *value;
+    }
+    if (const auto preset = reader.text("preset", Need::kOptional)) {
+        const std::string wrong = renderer::apply_preset(*preset, variant);
+        if (!wrong.empty()) reader.add("preset", wrong);
     }
     for (const renderer::Technique& other : renderer::techniques()) {
         for (const renderer::Parameter& parameter : other.parameters) {

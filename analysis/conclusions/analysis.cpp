@@ -8,11 +8,11 @@
 #include <algorithm>
 
 #include "analysis/conclusions/hypotheses.h"
+#include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/order.h"
 #include "analysis/conclusions/participants.h"
 #include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/published_study.h"
-#include "analysis/conclusions/resampled.h"
 #include "analysis/conclusions/run_power.h"
 #include "analysis/conclusions/validity.h"
 #include "analysis/conclusions/variant_scales.h"
@@ -80,7 +80,7 @@ std::vector<OrderStratum> order_strata(const Tally& tally) {
 }
 
 /// What needs to know who gave each answer.
-void analyse_participants(Analysis& analysis, std::uint64_t seed) {
+void analyse_participants(Analysis& analysis) {
     const Tally& tally = analysis.tally;
     const VotesByParticipant votes(tally);
     if (analysis.order_bias.has_value()) {
@@ -89,11 +89,10 @@ void analyse_participants(Analysis& analysis, std::uint64_t seed) {
     analysis.attention = attention_of(tally, votes);
     analysis.response_times = response_times(tally, votes);
     analysis.learning = learning_of(tally, votes);
-    resample(analysis, votes, seed);
 }
 
 /// The analysis of all who are in the tally.
-Analysis analyse_all(Tally tally, std::uint64_t seed) {
+Analysis analyse_all(Tally tally, const AnalysisOptions& options) {
     Analysis analysis;
     analysis.tally = std::move(tally);
     if (is_published_votes(analysis.tally)) add_published_views(analysis.tally);
@@ -112,18 +111,16 @@ Analysis analyse_all(Tally tally, std::uint64_t seed) {
     } else {
         analysis.order_bias = Possible<OrderBias>::none(order.reason);
     }
-    analysis.resampling.seed = seed;
     if (analysis.tally.participants.empty()) {
         const char* const why = "the answers of each participant are not known";
         analysis.response_times = Possible<ResponseTimes>::none(why);
         analysis.learning = Possible<Learning>::none(why);
-        for (VariantScale& scale : analysis.scales) {
-            scale.resampled_jod = Possible<std::vector<Interval>>::none(why);
-        }
     } else {
-        analyse_participants(analysis, seed);
+        analyse_participants(analysis);
     }
     infer_pooled_shares(analysis.hypotheses, analysis.tally);
+    analysis.has_model = options.model && !analysis.tally.participants.empty();
+    if (analysis.has_model) check_by_model(analysis);
     analysis.power = run_power(analysis.conditions);
     analysis.verdicts = verdicts_of(analysis);
     return analysis;
@@ -164,8 +161,8 @@ std::vector<Verdict> verdicts_on(Tally tally) {
     return verdicts_of_all(std::move(tally));
 }
 
-Analysis analyse(Tally tally, std::uint64_t seed) {
-    Analysis everybody = analyse_all(std::move(tally), seed);
+Analysis analyse(Tally tally, const AnalysisOptions& options) {
+    Analysis everybody = analyse_all(std::move(tally), options);
     if (!everybody.tally.exclusion.has_value()) {
         everybody.exclusions = Possible<Exclusions>::none(everybody.tally.exclusion.reason);
         return everybody;
@@ -183,7 +180,7 @@ Analysis analyse(Tally tally, std::uint64_t seed) {
     for (ConditionVotes& condition : everybody.tally.conditions) {
         condition.answers = std::vector<Answer>();
     }
-    Analysis analysis = analyse_all(std::move(kept), seed);
+    Analysis analysis = analyse_all(std::move(kept), options);
     analysis.attention = everybody.attention;
     exclusions.changes = changed_conclusions(analysis, everybody);
     exclusions.everybody = std::make_shared<const Analysis>(std::move(everybody));

@@ -86,6 +86,28 @@ struct Heterogeneity {
     ChiSquareTest test;
 };
 
+/// A term of a mixed model.
+struct ModelTerm {
+    double log_odds = 0.0;
+    double standard_error = 0.0;
+    Interval interval;  ///< 95 %
+    PValue p;           ///< of log odds 0, by Wald's test
+};
+
+/// A logistic model with an intercept for each participant, as a check of a verdict's test: its
+/// conditions and the order of showing fixed, participants random.
+struct ModelCheck {
+    std::int64_t participants = 0;
+    int nodes = 0;  ///< of the quadrature over participants
+    /// Of a hypothesis: the mean over its conditions of the log odds of B, for a participant in the
+    /// middle. Of two levels: log odds at the second less those at the first.
+    ModelTerm effect;
+    Possible<ModelTerm> order = Possible<ModelTerm>::none("not known");  ///< for the second image
+    double sd = 0.0;  ///< of the participants, log odds
+    /// Likelihood ratio of a term for each condition.
+    Possible<ChiSquareTest> conditions_differ = Possible<ChiSquareTest>::none("one condition");
+};
+
 /// A hypothesis on a preference: the votes of its conditions together.
 struct HypothesisResult {
     std::string name;
@@ -108,6 +130,7 @@ struct HypothesisResult {
     /// Of the share among people, each with a share of his own.
     Possible<Posterior> posterior = Possible<Posterior>::none("no votes");
     Possible<Heterogeneity> heterogeneity = Possible<Heterogeneity>::none("no votes");
+    Possible<ModelCheck> model = Possible<ModelCheck>::none("not asked for");
     /// 95 %, the interval to read.
     Possible<ShareInterval> interval = Possible<ShareInterval>::none("no votes");
     /// 90 %: where it lies within the relevant margin, two one-sided tests at .05 say that the
@@ -181,6 +204,7 @@ struct Comparison {
     /// Of several conditions at a level: the test to read where there is one.
     Possible<LevelContrast> contrast = Possible<LevelContrast>::none("one condition at each level");
     std::vector<LevelDifference> differences;  ///< of every two levels with votes
+    Possible<ModelCheck> model = Possible<ModelCheck>::none("not asked for");
 };
 
 /// The p-value to read. Where the answers of each participant are known: over two levels McNemar's
@@ -249,14 +273,30 @@ struct OrderBias {
     Possible<OrderBiasTest> logistic = Possible<OrderBiasTest>::none("not counted");
 };
 
+/// What the standard errors of a scale rest on.
+enum class ScaleErrors {
+    kParticipants,  ///< whose votes hang together: the sandwich over participants
+    kVotes,         ///< taken as independent: who gave them is not known
+    kPrior          ///< a prior, without which votes that separate have no finite scale
+};
+
+/// In JOD, the standard deviation of the prior of every difference: two of three differences are
+/// thought to lie within what 91 % choose.
+inline constexpr double kScalePriorJod = 2.0;
+
 /// The variants that the study's pairs connect, on one scale.
 struct VariantScale {
     std::vector<std::string> variants;                                  ///< the reference first
     Possible<Scale> bradley_terry = Possible<Scale>::none("no votes");  ///< in log odds
     Possible<Scale> thurstone = Possible<Scale>::none("no votes");      ///< in JOD
-    /// 95 % of each variant's JOD, by drawing participants anew; the reference's is 0 to 0.
-    Possible<std::vector<Interval>> resampled_jod =
-        Possible<std::vector<Interval>>::none("not known");
+    ScaleErrors errors = ScaleErrors::kVotes;
+    bool has_order_term = false;  ///< in both, where the order of showing is known
+    /// Why there is a prior; empty where there is none.
+    std::string separated;
+    /// 95 % of each variant's JOD, by t over participants where they are known; the reference's is
+    /// 0 to 0.
+    Possible<std::vector<Interval>> jod_intervals =
+        Possible<std::vector<Interval>>::none("no votes");
 };
 
 /// How attentive and how fast one participant was.
@@ -389,12 +429,6 @@ struct Exclusions {
     std::shared_ptr<const Analysis> everybody;
 };
 
-/// How participants are drawn anew for intervals.
-struct ResamplingResult {
-    std::uint64_t seed = 0;
-    Possible<int> draws = Possible<int>::none("the answers of each participant are not known");
-};
-
 /// The answers to the study's questions.
 struct Analysis {
     Tally tally;
@@ -415,18 +449,23 @@ struct Analysis {
     Possible<Learning> learning = Possible<Learning>::none("not known");
     /// What the study's rule does. The analysis is of those who stay.
     Possible<Exclusions> exclusions = Possible<Exclusions>::none("no rule");
-    ResamplingResult resampling;
+    bool has_model = false;  ///< whether mixed models were asked for
     /// What came of a pre-registration, where one was given to compare with.
     Possible<RegistrationResult> registration =
         Possible<RegistrationResult>::none("no pre-registration was given");
 };
 
-/// The seed of all draws of an analysis, unless another is given.
+/// The seed of what is simulated for an analysis: what its looks do to 5 %.
 inline constexpr std::uint64_t kAnalysisSeed = 20100501;
+
+struct AnalysisOptions {
+    /// Whether each verdict is checked by a mixed model: some 10 s for a million answers.
+    bool model = false;
+};
 
 /// Linear in the votes. Where the sessions carry a rule of exclusion, the analysis is of the
 /// participants whom it leaves in, and Exclusions::everybody that of all.
-[[nodiscard]] Analysis analyse(Tally tally, std::uint64_t seed = kAnalysisSeed);
+[[nodiscard]] Analysis analyse(Tally tally, const AnalysisOptions& options = {});
 
 /// The verdicts of that analysis alone, without what none of them rests on: for simulations, which
 /// ask it thousands of times.

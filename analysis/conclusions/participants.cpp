@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 
 namespace obscura::analysis {
 namespace {
@@ -78,35 +77,6 @@ VotesByParticipant::VotesByParticipant(const Tally& tally)
 std::span<const VotesByParticipant::Vote> VotesByParticipant::of(std::size_t participant) const {
     return std::span(votes_).subspan(begin_[participant],
                                      begin_[participant + 1] - begin_[participant]);
-}
-
-std::vector<AnswerPattern> VotesByParticipant::patterns() const {
-    std::vector<AnswerPattern> patterns;
-    std::unordered_map<std::string, std::size_t> place;
-    std::string key;
-    for (std::size_t participant = 0; participant < participants(); ++participant) {
-        key.clear();
-        for (const Vote& vote : of(participant)) {
-            const std::uint32_t part = 2 * vote.condition + (answer(vote).chose_b ? 1 : 0);
-            key.append(reinterpret_cast<const char*>(&part), sizeof part);
-        }
-        if (key.empty()) continue;
-        const auto [entry, is_new] = place.emplace(key, patterns.size());
-        if (!is_new) {
-            ++patterns[entry->second].participants;
-            continue;
-        }
-        AnswerPattern& pattern = patterns.emplace_back();
-        pattern.participants = 1;
-        for (const Vote& vote : of(participant)) {
-            if (pattern.votes.empty() || pattern.votes.back().condition != vote.condition) {
-                pattern.votes.push_back({vote.condition, {}});
-            }
-            Votes& own = pattern.votes.back().votes;
-            ++(answer(vote).chose_b ? own.b : own.a);
-        }
-    }
-    return patterns;
 }
 
 Attention attention_of(const Tally& tally, const VotesByParticipant& votes) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/conclusions/analysis.h"
-#include "analysis/statistics/resampling.h"
 
 namespace obscura::analysis {
 
@@ -27,9 +26,6 @@ class VotesByParticipant {
     [[nodiscard]] const Answer& answer(const Vote& vote) const {
         return tally_.conditions[vote.condition].answers[vote.place];
     }
-
-    /// Participants who answered alike together; those without votes are left out.
-    [[nodiscard]] std::vector<AnswerPattern> patterns() const;
 
   private:
     const Tally& tally_;

@@ -107,6 +107,35 @@ std::string order_words(const Possible<OrderByParticipant>& order) {
            "\"trial\" in the study file).";
 }
 
+std::string scale_words(const VariantScale& scale) {
+    std::string text;
+    if (!scale.jod_intervals.has_value()) {
+        text = fmt::format("No standard errors: {}.", scale.jod_intervals.reason);
+    } else if (scale.errors == ScaleErrors::kParticipants) {
+        text =
+            "Standard errors are over participants, whose votes hang together (sandwich), and the "
+            "intervals t's.";
+    } else if (scale.errors == ScaleErrors::kVotes) {
+        text =
+            "Standard errors take the votes as independent, since who gave them is not known: they "
+            "are too small where a participant's votes hang together.";
+    } else {
+        text = fmt::format(
+            "No finite scale is likeliest: {}. This is the likeliest under a prior, normal around "
+            "0 with standard deviation {:g} JOD for every difference between two variants that "
+            "were compared; its errors are the posterior's standard deviations, with the votes "
+            "taken as independent.",
+            scale.separated, kScalePriorJod);
+    }
+    if (!scale.has_order_term) return text;
+    text += fmt::format(" Order term: {:+.3f} log odds for the image shown second",
+                        scale.bradley_terry->order_term);
+    if (scale.jod_intervals.has_value()) {
+        text += fmt::format(" (standard error {:.3f})", scale.bradley_terry->order_standard_error);
+    }
+    return text + '.';
+}
+
 std::string who(const Tally& tally, std::int64_t n) {
     return counted(n, tally.kind == Kind::kSimulated ? "simulated observer" : "participant");
 }

@@ -46,6 +46,9 @@ namespace obscura::analysis {
 /// Whether the order of showing mattered, with the test over participants and its interval.
 [[nodiscard]] std::string order_words(const Possible<OrderByParticipant>& order);
 
+/// What the scale's standard errors rest on, its order term and its prior, where it has them.
+[[nodiscard]] std::string scale_words(const VariantScale& scale);
+
 /// `simulated observer` for simulated data, `participant` otherwise; a number brings the plural.
 [[nodiscard]] std::string who(const Tally& tally, std::int64_t n);
 

@@ -124,6 +124,7 @@ Json hypothesis_json(const HypothesisResult& result) {
     object["take_votes_as_independent"] = {"chi_square", "p_value", "p_exact"};
     put_p(object, "p_each_once", result.each_once);
     put_heterogeneity(object, result.heterogeneity);
+    put_model(object, result.model);
     if (result.by_participant.has_value()) {
         object["n_participants_with_preference"] = result.by_participant->participants;
         object["by_participant_exact"] = result.by_participant->is_exact;
@@ -211,6 +212,7 @@ Json comparison_json(const Comparison& comparison) {
                                          {"difference_high_90", difference.equality.high},
                                          {"interval_from", to_string(difference.kind)}});
     }
+    put_model(object, comparison.model);
     put_p(object, "p", p_of(comparison));
     object["test"] = test_words(comparison);
     return object;
@@ -271,37 +273,6 @@ void put_order_bias(Json& object, const Possible<OrderBias>& bias) {
     object["order_bias"] = entry;
 }
 
-void put_scale(Json& object, const std::string& name, const std::vector<std::string>& variants,
-               const Possible<Scale>& scale) {
-    if (!scale.has_value()) {
-        put_none(object, name, scale.reason);
-        return;
-    }
-    object[name] = Json::array();
-    for (std::size_t i = 0; i < variants.size(); ++i) {
-        object[name].push_back({{"variant", variants[i]},
-                                {"value", scale->values[i]},
-                                {"standard_error", scale->standard_errors[i]}});
-    }
-}
-
-Json scale_json(const VariantScale& scale) {
-    Json object;
-    object["variants"] = scale.variants;
-    object["reference"] = scale.variants.front();
-    put_scale(object, "bradley_terry", scale.variants, scale.bradley_terry);
-    put_scale(object, "thurstone_jod", scale.variants, scale.thurstone);
-    if (scale.resampled_jod.has_value() && scale.thurstone.has_value()) {
-        for (std::size_t i = 0; i < scale.variants.size(); ++i) {
-            object["thurstone_jod"][i]["resampled_low"] = (*scale.resampled_jod)[i].low;
-            object["thurstone_jod"][i]["resampled_high"] = (*scale.resampled_jod)[i].high;
-        }
-    } else {
-        put_none(object, "resampled_jod", scale.resampled_jod.reason);
-    }
-    return object;
-}
-
 /// What the answers say, without who gave them.
 void put_results(Json& report, const Analysis& analysis) {
     put(report, "n_participants", analysis.tally.n_participants);
@@ -325,7 +296,8 @@ void put_results(Json& report, const Analysis& analysis) {
     }
     put_order_bias(report, analysis.order_bias);
     report["scales"] = Json::array();
-    for (const VariantScale& scale : analysis.scales) report["scales"].push_back(scale_json(scale));
+    for (const VariantScale& scale : analysis.scales)
+        put_scale(report["scales"].emplace_back(), scale);
 }
 
 }  // namespace
@@ -361,8 +333,6 @@ std::string json_report(const Analysis& analysis) {
     if (analysis.exclusions.has_value() && analysis.exclusions->everybody) {
         put_results(report["exclusions"]["everybody"], *analysis.exclusions->everybody);
     }
-    report["resampling_seed"] = analysis.resampling.seed;
-    put(report, "resampling_draws", analysis.resampling.draws);
     return report.dump(2) + '\n';
 }
 

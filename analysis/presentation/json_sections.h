@@ -21,4 +21,7 @@ void put_response_times(Json& report, const Analysis& analysis);
 void put_learning(Json& report, const Possible<Learning>& learning);
 void put_exclusions(Json& report, const Possible<Exclusions>& exclusions);
 
+void put_scale(Json& object, const VariantScale& scale);
+void put_model(Json& object, const Possible<ModelCheck>& model);
+
 }  // namespace obscura::analysis

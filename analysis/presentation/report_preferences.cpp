@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/cells.h"
 #include "analysis/presentation/report_parts.h"
 #include "analysis/presentation/report_plots.h"
+#include "analysis/statistics/mixed_logistic.h"
 
 namespace obscura::analysis {
 namespace {
@@ -204,6 +206,52 @@ std::vector<std::string> comparison_row(const Comparison& comparison) {
     return row;
 }
 
+std::vector<std::string> model_row(const std::string& name, const Possible<ModelCheck>& model,
+                                   const Possible<PValue>& tested) {
+    if (!model.has_value()) {
+        return {name,     "none: " + model.reason, kNoValue, kNoValue, kNoValue,
+                kNoValue, p_cell(tested)};
+    }
+    const ModelTerm& effect = model->effect;
+    return {name,
+            fmt::format("{:+.3f} ({:.3f})", effect.log_odds, effect.standard_error),
+            fmt::format("{:+.2f} to {:+.2f}", effect.interval.low, effect.interval.high),
+            p_cell(Possible<PValue>(effect.p)),
+            fmt::format("{:.3f}", model->sd),
+            model->order.has_value() ? fmt::format("{:+.3f} ({:.3f})", model->order->log_odds,
+                                                   model->order->standard_error)
+                                     : kNoValue,
+            p_cell(tested)};
+}
+
+/// The mixed models beside the tests of the verdicts.
+void add_models(ReportDraft& draft) {
+    const Analysis& analysis = draft.input.analysis;
+    if (!analysis.has_model) return;
+    draft.page.heading("The same by a mixed model", 3);
+    PageTable table{{"What", "Log odds (SE)", "95 % interval", "p, model", "SD of participants",
+                     "Order (SE)", "p, test"},
+                    {}};
+    for (const HypothesisResult& result : analysis.hypotheses) {
+        table.rows.push_back(model_row(result.name, result.model, p_of(result)));
+    }
+    if (analysis.validity.has_value()) {
+        for (const Comparison& comparison : analysis.validity->by_level) {
+            table.rows.push_back(
+                model_row(what_is_compared(comparison), comparison.model, p_of(comparison)));
+        }
+    }
+    draft.page.table(
+        table,
+        fmt::format("A check of the verdicts' tests: logistic models with an intercept for each "
+                    "participant, conditions and the order of showing fixed, by adaptive "
+                    "Gauss-Hermite quadrature with {} nodes. Log odds of B, of a hypothesis the "
+                    "mean over its conditions, of levels the change from the first to the second; "
+                    "order: for the image shown second. p before correction.",
+                    kMixedNodes));
+    draft.page.paragraph(kScenesAreFixed);
+}
+
 void add_validity(ReportDraft& draft, const ValidityResult& validity) {
     draft.page.heading("Does the preference depend on validity?", 3);
     if (validity.by_level.empty()) {
@@ -291,69 +339,7 @@ void add_hypotheses(ReportDraft& draft) {
         draft.page.list(meanings);
     }
     if (analysis.validity.has_value()) add_validity(draft, *analysis.validity);
-}
-
-void add_scales(ReportDraft& draft) {
-    const Analysis& analysis = draft.input.analysis;
-    draft.page.heading("All variants on one scale");
-    if (analysis.scales.empty()) {
-        draft.page.paragraph("No two variants were compared with answers, so there is no scale.");
-        return;
-    }
-    draft.page.paragraph(
-        "Pairs that share a variant put all of them on one scale, over all scenes together. Its "
-        "unit "
-        "is the just objectionable difference (JOD): a variant 1 JOD above another is chosen over "
-        "it "
-        "by 75 %. It takes every answer as independent of the others.");
-    int number = 0;
-    for (const VariantScale& scale : analysis.scales) {
-        ++number;
-        if (!scale.thurstone.has_value()) {
-            draft.page.paragraph(fmt::format("There is no scale of {}: {}.", listed(scale.variants),
-                                             scale.thurstone.reason));
-            continue;
-        }
-        IntervalPlot plot;
-        plot.name = analysis.scales.size() == 1 ? "scale" : fmt::format("scale-{}", number);
-        plot.title = "Preference on one scale";
-        plot.axis = fmt::format("JOD above {} (bars: ± 1 standard error)", scale.variants.front());
-        plot.has_line = true;
-        plot.line = 0.0;
-        plot.left = "less preferred";
-        plot.right = "more preferred";
-        PageTable table{{"Variant", "JOD", "SE (JOD)", "Bradley-Terry (log odds)", "SE (log odds)",
-                         "95 %, participants drawn anew (JOD)"},
-                        {}};
-        std::vector<std::size_t> order(scale.variants.size());
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
-            return scale.thurstone->values[one] > scale.thurstone->values[other];
-        });
-        for (const std::size_t i : order) {
-            const double value = scale.thurstone->values[i];
-            const double error = scale.thurstone->standard_errors[i];
-            plot.rows.push_back({scale.variants[i], i == 0 ? "reference" : "", 0, true, value,
-                                 value - error, value + error});
-            const Possible<Scale>& odds = scale.bradley_terry;
-            table.rows.push_back(
-                {scale.variants[i], fmt::format("{:+.3f}", value), fmt::format("{:.3f}", error),
-                 odds.has_value() ? fmt::format("{:+.3f}", odds->values[i]) : kNoValue,
-                 odds.has_value() ? fmt::format("{:.3f}", odds->standard_errors[i]) : kNoValue,
-                 scale.resampled_jod.has_value()
-                     ? fmt::format("{:+.2f} to {:+.2f}", (*scale.resampled_jod)[i].low,
-                                   (*scale.resampled_jod)[i].high)
-                     : kNoValue});
-        }
-        draft.plot(interval_plot(plot),
-                   fmt::format("Thurstone's Case V by maximum likelihood; {} is the reference and "
-                               "stands at 0.",
-                               scale.variants.front()));
-        draft.page.table(table,
-                         "The same in numbers, with the scale of Bradley and Terry. SE: standard "
-                         "error, which takes the answers as independent; the interval that draws "
-                         "participants anew does not.");
-    }
+    add_models(draft);
 }
 
 }  // namespace obscura::analysis

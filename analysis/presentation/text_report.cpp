@@ -7,9 +7,12 @@
 
 #include <cmath>
 
+#include "analysis/conclusions/model_check.h"
+#include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/text_layout.h"
 #include "analysis/presentation/text_sections.h"
+#include "analysis/statistics/mixed_logistic.h"
 
 namespace obscura::analysis {
 namespace {
@@ -153,12 +156,6 @@ std::string belief_table(const Analysis& analysis) {
     return aligned(rows, 1);
 }
 
-std::string resampled_text(const Possible<std::vector<Interval>>& intervals, std::size_t variant) {
-    if (!intervals.has_value()) return kNoText;
-    const Interval& own = (*intervals)[variant];
-    return fmt::format("{:+.4f} to {:+.4f}", own.low, own.high);
-}
-
 /// The variants of one connected group, or why they have no scale.
 std::string scale_text(const VariantScale& scale) {
     const std::string names = fmt::format("{}", fmt::join(scale.variants, ", "));
@@ -166,27 +163,55 @@ std::string scale_text(const VariantScale& scale) {
         return wrapped(fmt::format("No scale of {}: {}.\n", names, scale.thurstone.reason));
     }
     std::vector<TextRow> rows{
-        {"variant", "JOD", "standard error", "log odds", "standard error", "JOD, resampled 95 %"}};
+        {"variant", "JOD", "standard error", "95 % interval", "log odds", "standard error"}};
+    const bool has_errors = scale.jod_intervals.has_value();
     for (std::size_t i = 0; i < scale.variants.size(); ++i) {
         const Possible<Scale>& odds = scale.bradley_terry;
+        const auto error = [&](const Possible<Scale>& own) {
+            return has_errors && own.has_value() ? fmt::format("{:.4f}", own->standard_errors[i])
+                                                 : std::string(kNoText);
+        };
         rows.push_back(
             {scale.variants[i], fmt::format("{:+.4f}", scale.thurstone->values[i]),
-             fmt::format("{:.4f}", scale.thurstone->standard_errors[i]),
-             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoText,
-             odds.has_value() ? fmt::format("{:.4f}", odds->standard_errors[i]) : kNoText,
-             resampled_text(scale.resampled_jod, i)});
+             error(scale.thurstone),
+             has_errors ? fmt::format("{:+.4f} to {:+.4f}", (*scale.jod_intervals)[i].low,
+                                      (*scale.jod_intervals)[i].high)
+                        : kNoText,
+             odds.has_value() ? fmt::format("{:+.4f}", odds->values[i]) : kNoText, error(odds)});
     }
-    return aligned(rows, 1);
+    return aligned(rows, 1) + wrapped(scale_words(scale) + '\n');
 }
 
 std::string scales_text(const Analysis& analysis) {
     if (analysis.scales.empty()) return "";
     std::string text = wrapped(
         "\nOne scale over the variants that pairs connect, all conditions together, against the "
-        "first. JOD: Thurstone's Case V, 1 JOD is chosen by 75 %. Log odds: Bradley-Terry. Both "
-        "take the votes as independent; the resampled interval does not.\n");
+        "first. JOD: Thurstone's Case V, 1 JOD is chosen by 75 %. Log odds: Bradley-Terry.\n");
     for (const VariantScale& scale : analysis.scales) text += '\n' + scale_text(scale);
     return text;
+}
+
+/// The mixed models beside the tests of the verdicts; nothing where they were not asked for.
+std::string models_text(const Analysis& analysis) {
+    if (!analysis.has_model) return "";
+    std::string text = fmt::format(
+        "\nMixed models as a check of the verdicts' tests: logistic, conditions and order fixed, "
+        "an "
+        "intercept for each participant, maximum likelihood by adaptive Gauss-Hermite quadrature "
+        "with {} nodes, errors from the Hessian. Of hypotheses the mean log odds of B over their "
+        "conditions, of levels the change from one to the other.\n",
+        kMixedNodes);
+    for (const HypothesisResult& result : analysis.hypotheses) {
+        text += fmt::format("{}: {}.\n", result.name, model_words(result.model, p_of(result)));
+    }
+    if (analysis.validity.has_value()) {
+        for (const Comparison& comparison : analysis.validity->by_level) {
+            text +=
+                fmt::format("{}, {}: {}.\n", analysis.validity->name, what_is_compared(comparison),
+                            model_words(comparison.model, p_of(comparison)));
+        }
+    }
+    return wrapped(text + kScenesAreFixed + '\n');
 }
 
 std::string caveats_text(const std::vector<Caveat>& caveats) {
@@ -228,8 +253,9 @@ std::string text_report(const Analysis& analysis, const std::vector<Caveat>& cav
         "counts take as independent; Cochran's, McNemar's and the test by flipping signs do "
         "not.\n";
     return text + wrapped(words + order_bias_line(analysis)) + verdicts_text(analysis) +
-           caveats_text(caveats) + power_text(analysis.power) + scales_text(analysis) +
-           attention_text(analysis) + response_times_text(analysis) + exclusions_text(analysis);
+           models_text(analysis) + caveats_text(caveats) + power_text(analysis.power) +
+           scales_text(analysis) + attention_text(analysis) + response_times_text(analysis) +
+           exclusions_text(analysis);
 }
 
 }  // namespace obscura::analysis

@@ -37,13 +37,13 @@ struct HermiteRule {
 };
 
 /// Answers of one participant, with what does not depend on his intercept.
-struct Fixed {
+struct FixedPart {
     const MixedAnswers* answers;
     double n, b, linear;
 };
 
-std::vector<Fixed> fixed_of(const MixedParticipants& alike, const VectorXd& at) {
-    std::vector<Fixed> all;
+std::vector<FixedPart> fixed_of(const MixedParticipants& alike, const VectorXd& at) {
+    std::vector<FixedPart> all;
     all.reserve(alike.answers.size());
     for (const MixedAnswers& answers : alike.answers) {
         double linear = 0.0;
@@ -55,9 +55,9 @@ std::vector<Fixed> fixed_of(const MixedParticipants& alike, const VectorXd& at) 
 }
 
 /// log of the votes' probability times the density of u, without constants.
-double log_joint(const std::vector<Fixed>& fixed, double sd, double u) {
+double log_joint(const std::vector<FixedPart>& fixed, double sd, double u) {
     double sum = -u * u / 2.0;
-    for (const Fixed& own : fixed) {
+    for (const FixedPart& own : fixed) {
         const double linear = own.linear + sd * u;
         sum += own.b * linear - own.n * log1p_exp(linear);
     }
@@ -70,13 +70,13 @@ struct Peak {
     double width = 1.0;
 };
 
-Peak peak_of(const std::vector<Fixed>& fixed, double sd) {
+Peak peak_of(const std::vector<FixedPart>& fixed, double sd) {
     constexpr int kMostSteps = 100;
     Peak peak;
     for (int i = 0; i < kMostSteps; ++i) {
         double slope = -peak.place;
         double bend = 1.0;
-        for (const Fixed& own : fixed) {
+        for (const FixedPart& own : fixed) {
             const double share = logistic(own.linear + sd * peak.place);
             slope += sd * (own.b - own.n * share);
             bend += sd * sd * own.n * share * (1.0 - share);
@@ -90,15 +90,15 @@ Peak peak_of(const std::vector<Fixed>& fixed, double sd) {
 }
 
 /// The log likelihood with its derivatives by the coefficients and, last, the deviation.
-struct Point {
+struct LikelihoodPoint {
     double value = 0.0;
     VectorXd gradient;
     MatrixXd hessian;
 };
 
-class Model {
+class MixedModel {
   public:
-    Model(const std::vector<MixedParticipants>& data, std::size_t predictors, int nodes)
+    MixedModel(const std::vector<MixedParticipants>& data, std::size_t predictors, int nodes)
         : data_(data), size_(static_cast<Eigen::Index>(predictors)), rule_(nodes) {
         for (const MixedParticipants& alike : data) {
             for (const MixedAnswers& answers : alike.answers) {
@@ -115,22 +115,23 @@ class Model {
         double sum = constant_;
         std::vector<double> logs;
         for (const MixedParticipants& alike : data_) {
-            const std::vector<Fixed> fixed = fixed_of(alike, at);
+            const std::vector<FixedPart> fixed = fixed_of(alike, at);
             const Peak peak = peak_of(fixed, at(size_));
             sum += static_cast<double>(alike.participants) * integral(fixed, at(size_), peak, logs);
         }
         return sum;
     }
 
-    [[nodiscard]] Point derivatives(const VectorXd& at) const {
-        Point point{constant_, VectorXd::Zero(size_ + 1), MatrixXd::Zero(size_ + 1, size_ + 1)};
+    [[nodiscard]] LikelihoodPoint derivatives(const VectorXd& at) const {
+        LikelihoodPoint point{constant_, VectorXd::Zero(size_ + 1),
+                              MatrixXd::Zero(size_ + 1, size_ + 1)};
         std::vector<double> logs;
         VectorXd mean(size_ + 1);
         VectorXd own(size_ + 1);
         for (const MixedParticipants& alike : data_) {
             const auto participants = static_cast<double>(alike.participants);
             const double sd = at(size_);
-            const std::vector<Fixed> fixed = fixed_of(alike, at);
+            const std::vector<FixedPart> fixed = fixed_of(alike, at);
             const Peak peak = peak_of(fixed, sd);
             const double integrated = integral(fixed, sd, peak, logs);
             point.value += participants * integrated;
@@ -139,7 +140,7 @@ class Model {
                 const double u = node(peak, k);
                 const double weight = std::exp(logs[k] - integrated);
                 own.setZero();
-                for (const Fixed& answer : fixed) {
+                for (const FixedPart& answer : fixed) {
                     add(answer, u, sd, participants * weight, own, point.hessian);
                 }
                 mean += weight * own;
@@ -157,7 +158,7 @@ class Model {
     }
 
     /// log of the participant's likelihood; `logs`: of what each node adds to it.
-    double integral(const std::vector<Fixed>& fixed, double sd, const Peak& peak,
+    double integral(const std::vector<FixedPart>& fixed, double sd, const Peak& peak,
                     std::vector<double>& logs) const {
         logs.clear();
         for (std::size_t k = 0; k < rule_.nodes.size(); ++k) {
@@ -171,7 +172,7 @@ class Model {
     }
 
     /// First derivatives of the votes' log probability, and `weight` times the second ones.
-    void add(const Fixed& answer, double u, double sd, double weight, VectorXd& first,
+    void add(const FixedPart& answer, double u, double sd, double weight, VectorXd& first,
              MatrixXd& second) const {
         const double share = logistic(answer.linear + sd * u);
         const double off = answer.b - answer.n * share;
@@ -213,7 +214,7 @@ void check_data(const std::vector<MixedParticipants>& data, std::size_t predicto
 }
 
 /// A step uphill: Newton's, with as much added to the diagonal as makes it one.
-VectorXd step_of(const Point& point) {
+VectorXd step_of(const LikelihoodPoint& point) {
     const MatrixXd bend = -point.hessian;
     const double unit = std::max(1e-8, bend.diagonal().cwiseAbs().maxCoeff());
     for (double added = 0.0; added < 1e6; added = added == 0.0 ? 1e-6 : 10.0 * added) {
@@ -224,7 +225,7 @@ VectorXd step_of(const Point& point) {
     return VectorXd::Zero(point.gradient.size());
 }
 
-Possible<MixedLogistic> fit_at(const Point& point, const VectorXd& at) {
+Possible<MixedLogistic> fit_at(const LikelihoodPoint& point, const VectorXd& at) {
     const auto size = static_cast<std::size_t>(at.size() - 1);
     MixedLogistic fit;
     fit.sd = std::abs(at(at.size() - 1));
@@ -264,11 +265,11 @@ Possible<MixedLogistic> mixed_logistic(const std::vector<MixedParticipants>& dat
     constexpr int kMostSteps = 100;
     constexpr double kFar = 15.0;  // log odds: what a million to one does not reach
     constexpr double kSmallStep = 1e-9;
-    const Model model(data, predictors, kMixedNodes);
+    const MixedModel model(data, predictors, kMixedNodes);
     VectorXd at = VectorXd::Zero(static_cast<Eigen::Index>(predictors) + 1);
     at(at.size() - 1) = 0.7;
     for (int i = 0; i < kMostSteps; ++i) {
-        const Point point = model.derivatives(at);
+        const LikelihoodPoint point = model.derivatives(at);
         VectorXd step = step_of(point);
         if (step.lpNorm<Eigen::Infinity>() < kSmallStep) return fit_at(point, at);
         const double longest = step.lpNorm<Eigen::Infinity>();
@@ -291,7 +292,7 @@ double mixed_log_likelihood(const std::vector<MixedParticipants>& data,
     VectorXd at(static_cast<Eigen::Index>(coefficients.size()) + 1);
     std::copy(coefficients.begin(), coefficients.end(), at.data());
     at(at.size() - 1) = sd;
-    return Model(data, coefficients.size(), nodes).value(at);
+    return MixedModel(data, coefficients.size(), nodes).value(at);
 }
 
 }  // namespace obscura::analysis

@@ -10,6 +10,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "renderer/base/check.h"
 
@@ -49,7 +50,13 @@ LinkPoint jod_point(double difference) {
 class Model {
   public:
     Model(std::size_t things, const std::vector<PairVotes>& pairs, const ScaleOptions& options)
-        : pairs_(pairs), options_(options), things_(things) {}
+        : pairs_(pairs), options_(options), things_(things) {
+        if (options.prior_sd <= 0.0) return;
+        std::set<std::pair<std::size_t, std::size_t>> known;
+        for (const PairVotes& pair : pairs) {
+            restrained_.push_back(known.insert(std::minmax(pair.one, pair.other)).second);
+        }
+    }
 
     [[nodiscard]] std::size_t size() const { return things_ - 1 + (options_.order_term ? 1 : 0); }
 
@@ -57,6 +64,20 @@ class Model {
     [[nodiscard]] std::size_t place(std::size_t thing) const {
         if (thing == options_.reference) return size();
         return thing < options_.reference ? thing : thing - 1;
+    }
+
+    /// Of the votes, and of the prior where there is one, without constants.
+    [[nodiscard]] double log_posterior(const VectorXd& at) const {
+        double sum = log_likelihood(at);
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            if (!is_restrained(i)) continue;
+            const double difference = value(pairs_[i].one, at) - value(pairs_[i].other, at);
+            sum -= difference * difference * prior_precision() / 2.0;
+        }
+        if (options_.order_term && options_.prior_sd > 0.0) {
+            sum -= at(size() - 1) * at(size() - 1) * prior_precision() / 2.0;
+        }
+        return sum;
     }
 
     [[nodiscard]] double log_likelihood(const VectorXd& at) const {
@@ -69,40 +90,83 @@ class Model {
         return sum;
     }
 
+    /// Adds what one vote of the pair adds to the gradient, and says to which of its places.
+    void add_vote(const PairVote& vote, const VectorXd& at, VectorXd& gradient,
+                  std::vector<std::size_t>& touched) const {
+        const PairVotes& pair = pairs_[vote.pair];
+        const LinkPoint point = point_of(pair, at);
+        const double slope = vote.one_chosen ? point.slope_share : point.slope_other;
+        for (const auto& [row, factor] : terms_of(pair)) {
+            if (row == size()) continue;
+            gradient(row) += factor * slope;
+            touched.push_back(row);
+        }
+    }
+
     void derivatives(const VectorXd& at, VectorXd& gradient, MatrixXd& information) const {
         const auto n = static_cast<Eigen::Index>(size());
         gradient = VectorXd::Zero(n);
         information = MatrixXd::Zero(n, n);
-        for (const PairVotes& pair : pairs_) {
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            const PairVotes& pair = pairs_[i];
             const LinkPoint point = point_of(pair, at);
             double slope = 0.0;
             if (pair.one_chosen > 0) slope += point.slope_share * count(pair.one_chosen);
             if (pair.other_chosen > 0) slope += point.slope_other * count(pair.other_chosen);
             const double weight = point.information * count(pair.one_chosen + pair.other_chosen);
-            const std::array<std::pair<std::size_t, double>, 3> terms{
-                std::pair{place(pair.one), 1.0}, std::pair{place(pair.other), -1.0},
-                std::pair{options_.order_term ? size() - 1 : size(),
-                          static_cast<double>(pair.order_side)}};
-            for (const auto& [row, factor] : terms) {
-                if (row == size()) continue;
-                gradient(row) += factor * slope;
-                for (const auto& [column, other_factor] : terms) {
-                    if (column != size()) {
-                        information(row, column) += factor * other_factor * weight;
-                    }
-                }
-            }
+            add(terms_of(pair), slope, weight, gradient, information);
+            if (!is_restrained(i)) continue;
+            const double difference = value(pair.one, at) - value(pair.other, at);
+            const Terms two{std::pair{place(pair.one), 1.0}, std::pair{place(pair.other), -1.0},
+                            std::pair{size(), 0.0}};
+            add(two, -difference * prior_precision(), prior_precision(), gradient, information);
+        }
+        if (options_.order_term && options_.prior_sd > 0.0) {
+            gradient(n - 1) -= at(n - 1) * prior_precision();
+            information(n - 1, n - 1) += prior_precision();
         }
     }
 
   private:
     static double count(std::int64_t votes) { return static_cast<double>(votes); }
 
+    /// What a pair's difference is made of: the place of each value with its factor; size() where
+    /// there is none.
+    using Terms = std::array<std::pair<std::size_t, double>, 3>;
+
+    [[nodiscard]] Terms terms_of(const PairVotes& pair) const {
+        return {std::pair{place(pair.one), 1.0}, std::pair{place(pair.other), -1.0},
+                std::pair{options_.order_term ? size() - 1 : size(),
+                          static_cast<double>(pair.order_side)}};
+    }
+
+    void add(const Terms& terms, double slope, double weight, VectorXd& gradient,
+             MatrixXd& information) const {
+        for (const auto& [row, factor] : terms) {
+            if (row == size()) continue;
+            gradient(row) += factor * slope;
+            for (const auto& [column, other_factor] : terms) {
+                if (column != size()) information(row, column) += factor * other_factor * weight;
+            }
+        }
+    }
+
+    [[nodiscard]] double prior_precision() const {
+        return 1.0 / (options_.prior_sd * options_.prior_sd);
+    }
+
+    /// Whether the prior holds the pair's difference: each two things once, in whichever order of
+    /// showing they come.
+    [[nodiscard]] bool is_restrained(std::size_t pair) const {
+        return !restrained_.empty() && restrained_[pair];
+    }
+
+    [[nodiscard]] double value(std::size_t thing, const VectorXd& at) const {
+        return thing == options_.reference ? 0.0 : at(place(thing));
+    }
+
     [[nodiscard]] LinkPoint point_of(const PairVotes& pair, const VectorXd& at) const {
-        const auto value = [&](std::size_t thing) {
-            return thing == options_.reference ? 0.0 : at(place(thing));
-        };
-        double difference = value(pair.one) - value(pair.other);
+        double difference = value(pair.one, at) - value(pair.other, at);
         if (options_.order_term) difference += at(size() - 1) * pair.order_side;
         return options_.link == ScaleLink::kLogistic ? logistic_point(difference)
                                                      : jod_point(difference);
@@ -111,6 +175,7 @@ class Model {
     const std::vector<PairVotes>& pairs_;
     const ScaleOptions& options_;
     std::size_t things_;
+    std::vector<bool> restrained_;  ///< empty without a prior
 };
 
 /// The inverse of a symmetric positive definite matrix; false when it is singular.
@@ -156,7 +221,8 @@ std::string names_where(const std::vector<std::string>& things, const std::vecto
 }
 
 /// Why there is no finite scale; empty where there is one.
-std::string obstacle(const std::vector<std::string>& things, const std::vector<PairVotes>& pairs) {
+std::string obstacle(const std::vector<std::string>& things, const std::vector<PairVotes>& pairs,
+                     const ScaleOptions& options) {
     const auto groups = connected_groups(things.size(), pairs);
     if (groups.size() > 1) {
         std::vector<std::string> names;
@@ -167,6 +233,7 @@ std::string obstacle(const std::vector<std::string>& things, const std::vector<P
         }
         return fmt::format("no pair connects {}", fmt::join(names, " with "));
     }
+    if (options.prior_sd > 0.0) return "";
     const std::vector<bool> below = reached(things.size(), pairs, false);
     if (std::count(below.begin(), below.end(), false) > 0) {
         return fmt::format("the votes are separated: ({}) was always chosen over ({})",
@@ -241,7 +308,7 @@ Possible<Scale> fit_scale(const std::vector<std::string>& things,
                           const std::vector<PairVotes>& pairs, const ScaleOptions& options) {
     check_pairs(things.size(), pairs, options);
     if (things.size() < 2) return Possible<Scale>::none("fewer than two to compare");
-    if (const std::string why = obstacle(things, pairs); !why.empty()) {
+    if (const std::string why = obstacle(things, pairs, options); !why.empty()) {
         return Possible<Scale>::none(why);
     }
     const Model model(things.size(), pairs, options);
@@ -249,7 +316,7 @@ Possible<Scale> fit_scale(const std::vector<std::string>& things,
     VectorXd gradient;
     MatrixXd information;
     MatrixXd covariance;
-    double likelihood = model.log_likelihood(at);
+    double likelihood = model.log_posterior(at);
     constexpr int kMostSteps = 500;
     constexpr double kSmallStep = 1e-10;
     for (int i = 0; i < kMostSteps; ++i) {
@@ -262,17 +329,61 @@ Possible<Scale> fit_scale(const std::vector<std::string>& things,
         // The likelihood is concave: halving the step always finds a better point.
         double part = 1.0;
         VectorXd tried = at + step;
-        double better = model.log_likelihood(tried);
+        double better = model.log_posterior(tried);
         const double slack = 1e-12 * std::abs(likelihood);
         while (!(better >= likelihood - slack) && part > 1e-9) {
             part /= 2.0;
             tried = at + part * step;
-            better = model.log_likelihood(tried);
+            better = model.log_posterior(tried);
         }
         at = tried;
         likelihood = better;
     }
     return Possible<Scale>::none("the votes do not settle a finite scale");
+}
+
+Possible<Scale> with_participants_errors(const Scale& scale, const std::vector<PairVotes>& pairs,
+                                         const ScaleOptions& options, const VotesOfEach& each) {
+    using None = Possible<Scale>;
+    const std::size_t things = scale.values.size();
+    check_pairs(things, pairs, options);
+    const Model model(things, pairs, options);
+    const auto size = static_cast<Eigen::Index>(model.size());
+    VectorXd at(size);
+    for (std::size_t thing = 0; thing < things; ++thing) {
+        if (thing != options.reference) at(model.place(thing)) = scale.values[thing];
+    }
+    if (options.order_term) at(size - 1) = scale.order_term;
+    VectorXd gradient;
+    MatrixXd information;
+    MatrixXd inverse;
+    model.derivatives(at, gradient, information);
+    if (!invert(information, inverse)) return None::none("the votes do not settle a finite scale");
+    MatrixXd between = MatrixXd::Zero(size, size);
+    double participants = 0.0;
+    std::vector<std::size_t> touched;
+    gradient.setZero();
+    for (std::size_t who = 0; who + 1 < each.begin.size(); ++who) {
+        if (each.begin[who] == each.begin[who + 1]) continue;
+        participants += 1.0;
+        touched.clear();
+        for (std::size_t i = each.begin[who]; i < each.begin[who + 1]; ++i) {
+            base::check_range("with_participants_errors", "pair", each.votes[i].pair,
+                              std::size_t{0}, pairs.size() - 1);
+            model.add_vote(each.votes[i], at, gradient, touched);
+        }
+        std::sort(touched.begin(), touched.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        for (const std::size_t row : touched) {
+            for (const std::size_t column : touched) {
+                between(row, column) += gradient(row) * gradient(column);
+            }
+        }
+        for (const std::size_t row : touched) gradient(row) = 0.0;
+    }
+    if (participants < 2.0) return None::none("fewer than two participants");
+    const MatrixXd covariance = participants / (participants - 1.0) * inverse * between * inverse;
+    return scale_at(model, at, covariance, things, options);
 }
 
 }  // namespace obscura::analysis

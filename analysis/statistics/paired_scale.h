@@ -42,6 +42,23 @@ struct ScaleOptions {
     ScaleLink link = ScaleLink::kLogistic;
     std::size_t reference = 0;
     bool order_term = false;
+    /// Above 0: each difference between two things that a pair compares, and the order term, is
+    /// thought to be normal around 0 with this standard deviation before the votes. The scale is
+    /// then the likeliest after them (maximum a posteriori), which separated votes have too; its
+    /// standard errors are the posterior's.
+    double prior_sd = 0.0;
+};
+
+/// A vote of a participant: for a place in the list of pairs.
+struct PairVote {
+    std::size_t pair = 0;
+    bool one_chosen = false;
+};
+
+/// The votes of participants, one participant after another.
+struct VotesOfEach {
+    std::vector<PairVote> votes;
+    std::vector<std::size_t> begin{0};  ///< of each participant's votes, and the end
 };
 
 /// The groups of things that pairs with votes connect, each in the order of `count` things; things
@@ -50,12 +67,21 @@ struct ScaleOptions {
     std::size_t count, const std::vector<PairVotes>& pairs);
 
 /// The maximum-likelihood scale by Fisher's scoring. No value when the pairs do not connect all
-/// things, when some were always chosen over the others (L. R. Ford 1957: then no finite scale is
-/// likeliest), or when an order term was asked for that the votes do not settle; the reason names
-/// the things. Throws bad input for counts, places or a reference outside their range, a pair of
-/// one thing with itself, and more than kMaxScaled things.
+/// things, when without a prior some were always chosen over the others (L. R. Ford 1957: then no
+/// finite scale is likeliest), or when an order term was asked for that the votes do not settle;
+/// the reason names the things. Throws bad input for counts, places or a reference outside their
+/// range, a pair of one thing with itself, and more than kMaxScaled things.
 [[nodiscard]] Possible<Scale> fit_scale(const std::vector<std::string>& things,
                                         const std::vector<PairVotes>& pairs,
                                         const ScaleOptions& options);
+
+/// The same scale with standard errors that let the votes of a participant hang together: the
+/// sandwich over participants (K.-Y. Liang and S. L. Zeger 1986) with n / (n - 1). `pairs` and
+/// `options` are those of the fit. No value for fewer than two participants with votes. Throws bad
+/// input for a vote outside the pairs.
+[[nodiscard]] Possible<Scale> with_participants_errors(const Scale& scale,
+                                                       const std::vector<PairVotes>& pairs,
+                                                       const ScaleOptions& options,
+                                                       const VotesOfEach& each);
 
 }  // namespace obscura::analysis

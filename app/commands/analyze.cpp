@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "analysis/conclusions/caveats.h"
+#include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
 #include "analysis/presentation/json_report.h"
@@ -39,6 +40,8 @@ struct AnalyzeOptions {
     std::filesystem::path preregistered;  ///< empty: none
     std::string kind = "participant";
     bool validity = false;
+    bool model = false;
+    bool no_model = false;
     bool json = false;
     bool full = false;
     std::filesystem::path measurement;  ///< empty: the data folder's
@@ -109,6 +112,15 @@ Answers answers_of(const AnalyzeOptions& options, const Globals& globals) {
     return answers;
 }
 
+/// Whether mixed models are fitted: unasked to as many answers as take no time to speak of.
+bool wants_model(const AnalyzeOptions& options, const analysis::Tally& tally) {
+    std::int64_t answers = 0;
+    for (const analysis::ConditionVotes& condition : tally.conditions) {
+        answers += static_cast<std::int64_t>(condition.answers.size());
+    }
+    return options.model || (!options.no_model && answers <= analysis::kMostModelled);
+}
+
 /// The study that the answers are to, where its file is known.
 std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
                                        const analysis::Tally& tally) {
@@ -151,7 +163,7 @@ analysis::RegistrationResult registration_of(Answers& answers, const analysis::A
                                              const AnalyzeOptions& options) {
     analysis::Conducted& conducted = answers.conducted;
     conducted.software = kiosk::software_version();
-    conducted.analysis_seed = result.resampling.seed;
+    conducted.analysis_seed = analysis::kAnalysisSeed;
     conducted.asks_validity = options.validity && result.family.interaction() == nullptr;
     return analysis::compare_registration(analysis::read_registration(options.preregistered),
                                           options.preregistered.string(), answers.tally, conducted);
@@ -172,7 +184,8 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     analysis::ReportInput input;
-    input.analysis = analysis::analyse(answers.tally);
+    const analysis::AnalysisOptions parts{wants_model(options, answers.tally)};
+    input.analysis = analysis::analyse(answers.tally, parts);
     if (!options.preregistered.empty()) {
         input.analysis.registration = registration_of(answers, input.analysis, options);
     }
@@ -230,6 +243,12 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
                  "Also ask whether the preference depends on ecological validity, as the built-in "
                  "study does: the same two variants in the same scene at two levels; corrected "
                  "together with the hypotheses");
+    const Option model = app.add_flag(
+        "--model", options->model,
+        fmt::format("Check each verdict by a logistic model with an intercept for each participant "
+                    "[unasked for up to {} answers]",
+                    analysis::kMostModelled));
+    app.add_flag("--no-model", options->no_model, "Leave that out").excludes({model});
     const Option json = app.add_flag("--json", options->json, "Print JSON instead of a table");
     app.add_flag("--full", options->full,
                  "Print every test in words instead of one screen: what analysis.txt of the report "

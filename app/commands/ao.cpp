@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "app/commands/closed_forms_table.h"
 #include "app/commands/image_size.h"
@@ -19,7 +20,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
 #include "renderer/reference/exr.h"
-#include "renderer/reference/reference.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/scenes/scene_source.h"
 
 namespace obscura::app {
@@ -102,9 +103,14 @@ std::vector<float> rendered(const Wanted& wanted, const Globals& globals) {
                            const Variant& choice) {
         return traced(wanted.scene, camera, width, height, choice, globals).accessibility;
     };
+    std::optional<renderer::ReferenceScene> made;
+    const auto rays = [&]() -> const renderer::ReferenceScene& {
+        if (!made) made.emplace(wanted.scene);
+        return *made;
+    };
     renderer::Renderer renderer;
     return renderer
-        .render({gpu, lighting, wanted.camera, {}, trace}, wanted.choice, wanted.width,
+        .render({gpu, lighting, wanted.camera, {}, trace, rays}, wanted.choice, wanted.width,
                 wanted.height)
         .read_accessibility();
 }
@@ -153,6 +159,10 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
     image.height = size.height;
 
     const Variant choice = variant_from(options.variant);
+    if (renderer::find_technique(choice.technique)->output == renderer::Output::kColour) {
+        throw base::bad_input("--technique: {} makes colour and no accessibility",
+                              choice.technique);
+    }
     require_writable_file(options.out);
     const stimuli::SceneSource source = stimuli::find_scene_source(options.scene);
     for (const std::string& note : source.notes) base::log::warn("{}: {}", source.source, note);
@@ -163,7 +173,7 @@ base::ExitCode ao(const AoOptions& options, const Globals& globals) {
                         image.width, image.height};
     describe(wanted, image);
     const bool as_traced =
-        renderer::find_technique(choice.technique)->ray_traced && choice.denoise == "none";
+        renderer::find_technique(choice.technique)->is_truth() && choice.denoise == "none";
     if (as_traced) {
         renderer::ReferenceImage truth =
             traced(scene, wanted.camera, image.width, image.height, choice, globals);

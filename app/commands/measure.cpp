@@ -75,7 +75,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
     app.add("--scene", request.scenes,
             "Built-in scenes in place of a study, each by all of its cameras");
     app.add("--techniques", request.techniques,
-            "Of " + names_of(renderer::techniques()) + " (default: all but the reference)")
+            "Of " + names_of(renderer::techniques()) +
+                " (default: all that compute accessibility, but for the reference)")
         .comma_separated();
     app.add("--samples", request.samples,
             "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")

@@ -41,6 +41,9 @@ void add_variant_options(const Options& app, VariantArguments& arguments) {
     app.add("--set", arguments.settings,
             "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
         .repeatable();
+    app.add("--preset", arguments.preset,
+            "Values of the parameters that are not set: published, or fitted to the truth")
+        .shows_default();
     app.add("--denoise", arguments.denoise, "Filter").shows_default();
 }
 
@@ -57,7 +60,8 @@ renderer::Variant variant_from(const VariantArguments& arguments) {
         set(variant, setting);
         if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
     }
-    std::string all;
+    std::string all = renderer::apply_preset(arguments.preset, variant);
+    if (!all.empty()) all = "--preset: " + all;
     for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
         all += fmt::format("{}{}{}: {}", all.empty() ? "" : "\n",
                            has_an_option_of_its_own(problem.key) ? "--" : "--set ", problem.key,

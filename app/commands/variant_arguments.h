@@ -17,9 +17,10 @@ struct VariantArguments {
     std::optional<int> samples;         ///< the technique's standard
     std::vector<std::string> settings;  ///< KEY=VALUE of parameters and options
     std::string denoise = "none";
+    std::string preset = "published";
 };
 
-/// --technique, --samples, --set and --denoise.
+/// --technique, --samples, --set, --preset and --denoise.
 void add_variant_options(const Options& app, VariantArguments& arguments);
 
 /// Throws bad input naming every option that is wrong, with its value and what is allowed.

@@ -28,6 +28,12 @@ std::string variants_help() {
                             parameter.meaning, parameter.low, parameter.high,
                             parameter.unit.empty() ? "" : " ", parameter.unit, parameter.standard);
         }
+        if (technique.fitted.empty()) continue;
+        text += "    preset fitted:";
+        for (const auto& [name, value] : technique.fitted) {
+            text += fmt::format("{} {} {}", text.ends_with(':') ? "" : ",", name, value);
+        }
+        text += '\n';
     }
     text += "Settings of every technique:\n";
     for (const renderer::VariantOption& option : renderer::variant_options()) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "app/measure/fit_settings.h"
@@ -145,15 +146,25 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
         "are not reported on where the scene has such; the number of samples is never fitted."};
 }
 
-/// What the study shows of the truth itself has no row, and that is said.
-void note_truths(const stimuli::Study& study, Measured& measured) {
+/// What the study shows and no row can hold is said.
+void note_unmeasured(const stimuli::Study& study, Measured& measured) {
     for (const stimuli::Condition& condition : study.conditions) {
         for (const Variant* side : {&condition.a, &condition.b}) {
-            if (!renderer::find_technique(side->technique)->ray_traced) continue;
-            measured.notes.push_back(
-                fmt::format("condition {}: {} is traced as the truth is, and has no row",
-                            condition.id, side->variant_name()));
+            const std::string why = why_unmeasured(*renderer::find_technique(side->technique));
+            if (why.empty()) continue;
+            measured.notes.push_back(fmt::format("condition {}: {} {}: it has no row", condition.id,
+                                                 side->variant_name(), why));
         }
+    }
+}
+
+/// What runs elsewhere than the device that the rows name is said.
+void note_processor(const MeasureRequest& request, Measured& measured) {
+    for (const std::string& name : measured_techniques(request)) {
+        if (!renderer::find_technique(name)->standard_recipe().on_processor()) continue;
+        measured.notes.push_back(fmt::format(
+            "{} traces its rays on the processor, on {} threads, whatever draws the rest", name,
+            std::max(1U, std::thread::hardware_concurrency())));
     }
 }
 
@@ -306,7 +317,8 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     }
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
-    if (request.scenes.empty()) note_truths(study, measured);
+    if (request.scenes.empty()) note_unmeasured(study, measured);
+    note_processor(request, measured);
     MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;

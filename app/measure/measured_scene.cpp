@@ -43,7 +43,7 @@ const renderer::Lighting& MeasuredScene::lighting_of(const MeasuredView& view) {
 
 renderer::View MeasuredScene::shown(const MeasuredView& view) {
     load(view);
-    return {*gpu_, lighting_of(view), camera_of(view), view.options};
+    return {*gpu_, lighting_of(view), camera_of(view), view.options, {}, rays_of_scene()};
 }
 
 renderer::Frame MeasuredScene::render(const MeasuredView& view, const renderer::Variant& choice,
@@ -65,7 +65,8 @@ renderer::Frame MeasuredScene::render_plainly(const MeasuredView& view,
     lighting.normal_mapping = lighting_of(view).normal_mapping;
     // Accessibility is computed once a pixel, whatever the samples of the image.
     const renderer::FrameOptions options{.occluding_opacity = view.options.occluding_opacity};
-    return renderer_.render({*gpu_, lighting, camera_of(view), options}, choice, width, height);
+    return renderer_.render({*gpu_, lighting, camera_of(view), options, {}, rays_of_scene()},
+                            choice, width, height);
 }
 
 const renderer::ReferenceImage& MeasuredScene::truth(const MeasuredView& view, double radius_m,

@@ -47,6 +47,9 @@ class MeasuredScene {
     void load(const MeasuredView& view);
     /// The view as the study shows it.
     [[nodiscard]] renderer::View shown(const MeasuredView& view);
+    [[nodiscard]] renderer::RaysOfScene rays_of_scene() const {
+        return [this]() -> const renderer::ReferenceScene& { return *rays_; };
+    }
     [[nodiscard]] const renderer::Camera& camera_of(const MeasuredView& view) const;
     const renderer::Lighting& lighting_of(const MeasuredView& view);
 

@@ -326,7 +326,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
             technique.standard_recipe().reads(renderer::Target::kDepth)) {
             Variant choice = ways.front().choice;
             choice.depth_format = "r16f";
-            add(choice, ways.front().values);
+            if (renderer::problems_of(choice).empty()) add(choice, ways.front().values);
         }
     }
     const std::vector<std::string> techniques = measured_techniques(request);
@@ -340,11 +340,19 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
     return settings;
 }
 
+std::string why_unmeasured(const Technique& technique) {
+    if (technique.is_truth()) return "is the truth that the others are held against";
+    if (technique.output == renderer::Output::kColour) {
+        return "makes colour and no accessibility, which has no error";
+    }
+    return "";
+}
+
 std::vector<std::string> measured_techniques(const MeasureRequest& request) {
     if (!request.techniques.empty()) return request.techniques;
     std::vector<std::string> names;
     for (const Technique& technique : renderer::techniques()) {
-        if (!technique.ray_traced) names.push_back(technique.name);
+        if (why_unmeasured(technique).empty()) names.push_back(technique.name);
     }
     return names;
 }
@@ -356,9 +364,8 @@ void check_request(const MeasureRequest& request) {
             throw base::bad_input("--techniques: \"{}\" is unknown, allowed are {}", name,
                                   names_of(renderer::techniques()));
         }
-        if (technique->ray_traced) {
-            throw base::bad_input("--techniques: {} is the truth that the others are held against",
-                                  name);
+        if (const std::string why = why_unmeasured(*technique); !why.empty()) {
+            throw base::bad_input("--techniques: {} {}", name, why);
         }
     }
     for (const std::string& name : request.filters) {

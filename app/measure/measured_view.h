@@ -76,6 +76,9 @@ inline constexpr const char* kTruthRadius = "radius_m";
 /// The techniques that are measured: the request's, or all that are not the truth themselves.
 [[nodiscard]] std::vector<std::string> measured_techniques(const MeasureRequest& request);
 
+/// Why a technique has no error to measure; empty where it has.
+[[nodiscard]] std::string why_unmeasured(const renderer::Technique& technique);
+
 /// Throws bad input naming the option, the value and what is allowed for anything that is wrong
 /// with techniques, samples, filters, sizes, rays, runs or what excludes each other. The request
 /// has its defaults.

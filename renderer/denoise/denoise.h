@@ -26,6 +26,12 @@ struct Denoise {
                                                std::span<const float> accessibility);
 [[nodiscard]] std::vector<Admitted> separable_model(const SeenBuffers& buffers,
                                                     std::span<const float> accessibility);
+[[nodiscard]] std::vector<Admitted> bilateral_model(const SeenBuffers& buffers,
+                                                    std::span<const float> accessibility);
+[[nodiscard]] std::vector<Admitted> known_error_model(const SeenBuffers& buffers,
+                                                      std::span<const float> accessibility);
+[[nodiscard]] std::vector<Admitted> gaussian_nd_model(const SeenBuffers& buffers,
+                                                      std::span<const float> accessibility);
 
 /// All denoise filters.
 [[nodiscard]] const std::vector<Denoise>& denoise_filters();

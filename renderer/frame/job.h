@@ -15,6 +15,7 @@ struct Renderer::Job {
     Frame& frame;
     const Camera& source;  ///< what `camera` was made of
     const TracedAccessibility& traced;
+    const RaysOfScene& rays;
     glm::ivec2 size{0};  ///< of the buffers that are attached
 
     [[nodiscard]] bool has(std::string_view buffer) const { return plan.find(buffer) != nullptr; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/format.h"
 #include "renderer/frame/job.h"
 
 namespace obscura::renderer {
@@ -64,6 +65,7 @@ void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass,
     program.set("u_level", level);
     program.set("u_layer", layer);
     program.set("u_frame", pass.frame);
+    program.set("u_samples", job.plan.variant.samples);
     for (const auto& [name, value] : job.plan.parameters) {
         program.set(("p_" + name).c_str(), static_cast<float>(value));
     }
@@ -84,8 +86,31 @@ gl::Program& Renderer::step_program(const Step& step) {
     return program("passes/full_screen.vert.glsl", step.shader, step.defines);
 }
 
+void Renderer::run_on_processor(Job& job, const PlannedPass& pass) {
+    const PlannedTarget& target = *job.plan.find(pass.writes.front());
+    ProcessorWork work{target.width,        target.height,           {}, job.source, job.rays(),
+                       job.plan.parameters, job.plan.variant.samples};
+    const auto texels =
+        static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (const Read& read : pass.reads) {
+        const bool normal = format_of(job.plan.find(read.name)->format).format != GL_RED;
+        std::vector<float>& values = work.reads.emplace_back(normal ? 3 * texels : texels);
+        glGetTextureImage(job.frame.texture(read.name), 0, normal ? GL_RGB : GL_RED, GL_FLOAT,
+                          static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+    }
+    const std::vector<float> values = pass.step->processor(work);
+    glTextureSubImage2D(job.frame.texture(target.name), 0, 0, 0, target.width, target.height,
+                        GL_RED, GL_FLOAT, values.data());
+}
+
 void Renderer::run_step(Job& job, const PlannedPass& pass) {
     const Step& step = *pass.step;
+    if (step.processor != nullptr) {
+        run_on_processor(job, pass);
+        return;
+    }
     const PlannedTarget& target = *job.plan.find(pass.writes.front());
     gl::Program& shader = step_program(step);
     const bool reads_itself =

@@ -72,6 +72,9 @@ class Planner {
         return accessibility_ && plan_.options.supersampling > 1;
     }
     [[nodiscard]] bool occluders() const { return once_a_pixel() || plan_.blended_occlude(); }
+    [[nodiscard]] bool reads_normal() const {
+        return recipe_.reads(Target::kNormal) || (denoised() && filter_.reads(Target::kNormal));
+    }
     [[nodiscard]] bool denoised() const { return accessibility_ && !filter_.steps.empty(); }
 
     const std::string depth_format_;
@@ -121,7 +124,7 @@ void Planner::plan_geometry() {
     // Where the technique runs once a pixel, samples find their pixel by depth.
     const bool depth = all || once_a_pixel() || recipe_.reads(Target::kDepth) ||
                        (denoised() && filter_.reads(Target::kDepth)) || needs().direct_light();
-    const bool read_normal = recipe_.reads(Target::kNormal);
+    const bool read_normal = reads_normal();
     const bool normal = all || (read_normal && !once_a_pixel()) || lit();
     std::vector<Buffer> writes{Target::kVisibility, Target::kAlbedo};
     if (normal) writes.push_back(Target::kNormal);
@@ -162,7 +165,7 @@ void Planner::plan_occluders() {
                                    : "blended surfaces are asked not to occlude");
         return;
     }
-    const bool normal = recipe_.reads(Target::kNormal);
+    const bool normal = reads_normal();
     std::vector<Read> reads;
     std::vector<Buffer> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
     if (normal) writes.push_back(Target::kOccluderNormal);
@@ -180,7 +183,7 @@ void Planner::plan_accessibility() {
         leave_out("denoise", "there is no accessibility to denoise");
         return;
     }
-    if (technique_.ray_traced) {
+    if (technique_.is_truth()) {
         pass(Phase::kTechnique, {plan_.seen_by_technique(Target::kVisibility)},
              {Target::kAccessibility});
     } else {

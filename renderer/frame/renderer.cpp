@@ -43,8 +43,8 @@ Renderer::~Renderer() = default;
 
 Renderer::Job Renderer::job_of(const View& view, const FramePlan& plan, Frame& frame) {
     return {
-        view.scene, view.lighting, plan,       matrices_of(view.camera, plan.width, plan.height),
-        frame,      view.camera,   view.traced};
+        view.scene, view.lighting, plan,        matrices_of(view.camera, plan.width, plan.height),
+        frame,      view.camera,   view.traced, view.rays};
 }
 
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
@@ -151,6 +151,15 @@ void Renderer::run_pass(Job& job, const PlannedPass& pass) {
 
 std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& wanted) {
     std::vector<PassTime> times;
+    // What is made once for a scene is no part of a frame's time.
+    const bool on_processor = std::any_of(
+        job.plan.passes.begin(), job.plan.passes.end(),
+        [](const PlannedPass& pass) { return pass.step && pass.step->processor != nullptr; });
+    if (on_processor && !job.rays) {
+        throw base::failure("technique {} needs the scene's rays, and this frame has none",
+                            job.plan.variant.technique);
+    }
+    if (on_processor) (void)job.rays();
     set_known_state();
     glFinish();
     gl::TimestampQueries timestamps(2 * job.plan.passes.size());
@@ -205,6 +214,7 @@ void Renderer::note_unread_parameters(const FramePlan& plan) {
     for (const auto& [name, value] : plan.parameters) unread.insert("p_" + name);
     for (const PlannedPass& pass : plan.passes) {
         if (pass.phase != Phase::kTechnique || !pass.step) continue;
+        if (pass.step->processor != nullptr) return;  // it is given all of them
         has_steps = true;
         const gl::Program& shader = step_program(*pass.step);
         // A step may also make a parameter's value a constant of its program.

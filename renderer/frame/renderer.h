@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/camera.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/view.h"
 #include "renderer/gl/program.h"
+#include "renderer/scene/camera.h"
 
 namespace obscura::renderer {
 
@@ -73,6 +73,7 @@ class Renderer {
     void run_traced(Job& job);
     gl::Program& step_program(const Step& step);
     void run_step(Job& job, const PlannedPass& pass);
+    void run_on_processor(Job& job, const PlannedPass& pass);
     void note_unread_parameters(const FramePlan& plan);
     /// Attaches one level and layer of what the step writes.
     void attach_step(Job& job, const PlannedPass& pass, int level, int layer);

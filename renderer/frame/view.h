@@ -17,6 +17,9 @@ namespace obscura::renderer {
 using TracedAccessibility = std::function<std::vector<float>(const Camera& camera, int width,
                                                              int height, const Variant& choice)>;
 
+/// Gives the triangles of the view's scene for rays; made when they are first asked for.
+using RaysOfScene = std::function<const ReferenceScene&()>;
+
 /// All of an image but its variant and its size. What it refers to must outlive it.
 struct View {
     const GpuScene& scene;
@@ -24,6 +27,7 @@ struct View {
     const Camera& camera;
     FrameOptions options = {};
     TracedAccessibility traced = {};  ///< nothing: a technique that is ray traced is refused
+    RaysOfScene rays = {};            ///< nothing: a recipe with a step on the processor is refused
     /// In place of what scene and light ask for: needs_of_everything.
     std::optional<SceneNeeds> needs = {};
 };

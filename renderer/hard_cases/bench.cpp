@@ -10,7 +10,7 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
-#include "renderer/reference/reference.h"
+#include "renderer/technique/reference.h"
 
 namespace obscura::renderer {
 namespace {
@@ -40,7 +40,8 @@ SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
                         .camera = camera,
                         .depth_m = frame.read_floats(plan.seen_by_technique(Target::kDepth)),
                         .empty = frame.read_empty(plan.seen_by_technique(Target::kVisibility)),
-                        .normal = {}};
+                        .normal = {},
+                        .samples = plan.variant.samples};
     for (float& depth_m : buffers.depth_m) {
         // Half floats may hold infinity there; a shader sees no difference.
         if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
@@ -88,7 +89,12 @@ Frame Bench::render(const Scene& scene, const Camera& camera, const Variant& cho
                     int height) {
     const Lighting lighting;
     const GpuScene gpu(scene);
-    return renderer_.render({gpu, lighting, camera}, choice, width, height);
+    std::optional<ReferenceScene> made;
+    const auto rays = [&]() -> const ReferenceScene& {
+        if (!made) made.emplace(scene);
+        return *made;
+    };
+    return renderer_.render({gpu, lighting, camera, {}, {}, rays}, choice, width, height);
 }
 
 double Bench::time_ms(const Scene& scene, const Camera& camera, const Variant& choice, int width,
@@ -103,7 +109,7 @@ double Bench::time_ms(const Scene& scene, const Camera& camera, const Variant& c
 
 Shot Bench::shoot(const std::string& what, const Scene& scene, const Camera& camera,
                   const Variant& choice, int width, int height) {
-    if (find_technique(choice.technique)->ray_traced) {
+    if (find_technique(choice.technique)->is_truth()) {
         return trace(scene, camera, choice, width, height);
     }
     const Frame frame = render(scene, camera, choice, width, height);
@@ -128,11 +134,21 @@ Shot Bench::trace(const Scene& scene, const Camera& camera, const Variant& choic
             .denoised = image.accessibility};
 }
 
+const Bench::AdmittedPixels& Bench::admitted_of(const SeenBuffers& buffers, Variant choice) {
+    choice.denoise = "none";  // comes after
+    if (last_.choice != choice || !(last_.buffers == buffers)) {
+        last_ = {buffers, choice, {}};
+        last_.admitted = admitted_by(find_technique(choice.technique)->model(last_.buffers, choice),
+                                     last_.buffers);
+    }
+    return last_.admitted;
+}
+
 void Bench::hold_against_definition(const std::string& what, const SeenBuffers& buffers,
                                     const Variant& choice, Shot& shot) {
     const Technique& technique = *find_technique(choice.technique);
     if (!technique.model) return;
-    const auto admitted = admitted_by(technique.model(buffers, choice), buffers);
+    const auto& admitted = admitted_of(buffers, choice);
     for (const std::optional<Admitted>& pixel : admitted) {
         if (pixel) shot.depth_reads = std::max(shot.depth_reads, pixel->depth_reads);
     }

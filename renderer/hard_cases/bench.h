@@ -128,6 +128,9 @@ class Bench {
     /// Evaluates the models on the shot's buffers.
     void hold_against_definition(const std::string& what, const SeenBuffers& buffers,
                                  const Variant& choice, Shot& shot);
+    using AdmittedPixels = std::vector<std::optional<Admitted>>;
+    /// What the technique's definition gives; kept until other buffers or settings come.
+    const AdmittedPixels& admitted_of(const SeenBuffers& buffers, Variant choice);
     void write_agreements();
     [[nodiscard]] HardCaseResult row(const std::string& quantity) const;
 
@@ -137,6 +140,12 @@ class Bench {
     std::string technique_;
     bool allow_uncertain_ = false;
     std::map<std::string, Agreement> agreements_;  ///< of the case's images; "" or the filter's
+    struct Evaluated {
+        SeenBuffers buffers;
+        Variant choice;
+        AdmittedPixels admitted;
+    };
+    Evaluated last_;
     Renderer renderer_;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "renderer/model/rounded.h"
@@ -21,6 +22,7 @@ struct SeenBuffers {
     std::vector<float> depth_m;
     std::vector<std::uint8_t> empty;   ///< 1 where nothing is seen
     std::vector<std::uint8_t> normal;  ///< three code values a pixel; empty: none is read
+    int samples = 0;                   ///< of the technique whose accessibility a filter reads
 
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
@@ -28,6 +30,15 @@ struct SeenBuffers {
     }
     [[nodiscard]] float depth_at(int x, int y) const { return depth_m[index(x, y)]; }
     [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
+    /// Whether every model finds the same in both.
+    [[nodiscard]] bool operator==(const SeenBuffers& other) const {
+        const auto view = [](const Camera& of) {
+            return std::tuple(of.vertical_fov_rad, of.lens_shift.x, of.lens_shift.y, of.far_m);
+        };
+        return width == other.width && height == other.height && samples == other.samples &&
+               depth_m == other.depth_m && empty == other.empty && normal == other.normal &&
+               view(camera) == view(other.camera);
+    }
 };
 
 /// A place in the image, from 0 to 1 or, where it says so, in pixels.

@@ -18,6 +18,11 @@ auto find(const List& list, std::string_view name) -> decltype(list.data()) {
 
 }  // namespace
 
+bool Recipe::on_processor() const {
+    return std::any_of(steps.begin(), steps.end(),
+                       [](const Step& step) { return step.processor != nullptr; });
+}
+
 bool Recipe::reads(std::string_view name) const {
     return std::any_of(steps.begin(), steps.end(),
                        [name](const Step& step) { return find(step.reads, name) != nullptr; });

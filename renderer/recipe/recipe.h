@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,23 @@ struct NumberTable {
     std::vector<glm::vec3> texels;
 };
 
+struct Camera;
+class ReferenceScene;
+
+/// What a step that is computed on the processor is given.
+struct ProcessorWork {
+    int width = 0;  ///< of what it reads and writes: the image's
+    int height = 0;
+    /// What the step reads, in its order: so many components a texel, lower row first.
+    std::vector<std::vector<float>> reads;
+    const Camera& camera;
+    const ReferenceScene& rays;  ///< the scene's triangles
+    const std::map<std::string, double>& parameters;
+    int samples = 0;
+};
+/// Gives one value a texel, lower row first; 1 where nothing is seen.
+using ProcessorStep = std::vector<float> (*)(const ProcessorWork& work);
+
 /// Which texels a step draws.
 enum class Cover {
     kSurfaces,  ///< those that a triangle covers; the others are 1. For one level and layer of the
@@ -39,9 +57,10 @@ enum class Cover {
     kAll,
 };
 
-/// One full-screen shader, drawn once for each level and layer of what it writes. Beside what it
-/// reads it may use: `u_size` (texels of the level), `u_ray_scale`, `u_ray_offset`, `u_ray_to_px`,
-/// `u_axis_px` (passes/view.glsl), `u_far_m`, `u_level`, `u_layer`, `u_frame`, and `p_<parameter>`.
+/// One full-screen shader, drawn once for each level and layer of what it writes; or one function
+/// on the processor. Beside what it reads a shader may use: `u_size` (texels of the level),
+/// `u_ray_scale`, `u_ray_offset`, `u_ray_to_px`, `u_axis_px` (passes/view.glsl), `u_far_m`,
+/// `u_level`, `u_layer`, `u_frame`, `u_samples` (of the technique) and `p_<parameter>`.
 struct Step {
     std::string name;    ///< in plans and timings, where neighbours of one name count as one
     std::string shader;  ///< path below renderer/
@@ -55,6 +74,9 @@ struct Step {
     Cover cover = Cover::kSurfaces;
     int first_level = 0;  ///< of the levels that it draws
     int levels = 0;       ///< how many of them; 0: to the last
+    /// In place of a shader: computed on the processor, from buffers that are read back, and
+    /// uploaded. It writes a buffer of the image's size in one component.
+    ProcessorStep processor = nullptr;
 
     /// The level behind the last that is drawn of a buffer with so many.
     [[nodiscard]] int end_level(int of_levels) const {
@@ -69,6 +91,8 @@ struct Recipe {
     std::vector<Step> steps;
     int frames = 1;  ///< how often the steps are run, with `u_frame` counting from 0
 
+    /// Whether some step is computed on the processor.
+    [[nodiscard]] bool on_processor() const;
     /// Whether some step reads it.
     [[nodiscard]] bool reads(std::string_view name) const;
     [[nodiscard]] const Buffer* find_buffer(std::string_view name) const;

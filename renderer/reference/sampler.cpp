@@ -136,23 +136,44 @@ HemisphereSampler::HemisphereSampler(int rays) : rays_(rays) {
     }
 }
 
-void HemisphereSampler::directions(std::uint64_t scramble, const glm::mat3& frame, float* x,
-                                   float* y, float* z) const {
+namespace {
+
+void fill_as_wide_as_can_be(const Points& points, const glm::mat3& frame) {
     static const bool wide = __builtin_cpu_supports("avx2") != 0;
-    const std::uint64_t seeds = mixed_bits(scramble);
-    const Points points{first_.data(),
-                        second_.data(),
-                        rays_,
-                        static_cast<std::uint32_t>(seeds),
-                        static_cast<std::uint32_t>(seeds >> 32),
-                        x,
-                        y,
-                        z};
     if (wide) {
         fill_wide(points, frame);
     } else {
         fill_narrow(points, frame);
     }
+}
+
+}  // namespace
+
+void HemisphereSampler::directions(std::uint64_t scramble, const glm::mat3& frame, float* x,
+                                   float* y, float* z) const {
+    const std::uint64_t seeds = mixed_bits(scramble);
+    fill_as_wide_as_can_be({first_.data(), second_.data(), rays_, static_cast<std::uint32_t>(seeds),
+                            static_cast<std::uint32_t>(seeds >> 32), x, y, z},
+                           frame);
+}
+
+BlockSampler::BlockSampler(int rays) {
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(kSide * kSide * rays); ++i) {
+        first_.push_back(i);
+        second_.push_back(reversed_bits(sobol_second(i)));
+    }
+}
+
+int BlockSampler::part_of(int x, int y) {
+    return (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2;
+}
+
+void BlockSampler::directions(std::uint64_t scramble, float* x, float* y, float* z) const {
+    const std::uint64_t seeds = mixed_bits(scramble);
+    fill_as_wide_as_can_be(
+        {first_.data(), second_.data(), static_cast<int>(first_.size()),
+         static_cast<std::uint32_t>(seeds), static_cast<std::uint32_t>(seeds >> 32), x, y, z},
+        glm::mat3(1.0F));
 }
 
 }  // namespace obscura::renderer

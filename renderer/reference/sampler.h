@@ -42,6 +42,26 @@ class HemisphereSampler {
     std::vector<std::uint8_t> part_;
 };
 
+/// The same points for the pixels of a block, which share one scrambled sequence: each pixel's are
+/// a part of it, in the order of Morton's curve, and as those of two by two and four by four pixels
+/// together are parts of it too, what is averaged over neighbours is as evenly spread as a sequence
+/// of that length.
+class BlockSampler {
+  public:
+    static constexpr int kSide = 4;  ///< pixels along a side of a block
+
+    explicit BlockSampler(int rays);
+
+    /// All of a block's directions about +Z, kSide * kSide * rays of them.
+    void directions(std::uint64_t scramble, float* x, float* y, float* z) const;
+    /// Which part of the block's directions a pixel takes.
+    [[nodiscard]] static int part_of(int x, int y);
+
+  private:
+    std::vector<std::uint32_t> first_;  ///< dimensions, bits reversed
+    std::vector<std::uint32_t> second_;
+};
+
 /// A hash of 64 bits (SplitMix64's finaliser, Steele, Lea and Flood 2014).
 [[nodiscard]] constexpr std::uint64_t mixed_bits(std::uint64_t value) {
     value += 0x9e3779b97f4a7c15ULL;

@@ -32,6 +32,11 @@ Technique bitmask_technique() {
         slice_power(),
     };
     technique.recipe = recipe_of;
+    technique.fitted = {{"reach", 1.2},
+                        {"cut_off", 2.15},
+                        {"thickness", 0.748},
+                        {"step_spread", 2.0},
+                        {"power", 1.35}};
     technique.reach = "radius_m";
     technique.model = bitmask_model;
     technique.by_nature = slice_nature();

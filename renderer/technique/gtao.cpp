@@ -34,6 +34,7 @@ Technique gtao_technique() {
         slice_power(),
     };
     technique.recipe = recipe_of;
+    technique.fitted = {{"reach", 2.876}, {"falloff", 0.961}, {"step_spread", 2.0}, {"power", 2.0}};
     technique.reach = "radius_m";
     technique.model = gtao_model;
     technique.by_nature = slice_nature();

@@ -31,6 +31,8 @@ Technique hbao_technique() {
         slice_power(),
     };
     technique.recipe = recipe_of;
+    technique.fitted = {
+        {"reach", 1.8}, {"bias", 0.102}, {"step_spread", 1.6}, {"strength", 0.73}, {"power", 2.0}};
     technique.reach = "radius_m";
     technique.model = hbao_model;
     technique.by_nature = slice_nature();

@@ -86,12 +86,13 @@ Parameter slice_reach(double standard) {
 }
 
 Parameter slice_spread(double standard) {
-    return {"step_spread",
-            "How samples lie along a slice: 0 evenly, 1 by the square of their number",
-            "",
-            0.0,
-            1.0,
-            standard};
+    return {
+        "step_spread",
+        "How samples lie along a slice: 0 evenly, 1 by the square of their number, 2 by its cube",
+        "",
+        0.0,
+        2.0,
+        standard};
 }
 
 Parameter slice_power() {

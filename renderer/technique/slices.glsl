@@ -93,7 +93,8 @@ Sample sample_at(Surface p, Slice s, float distance_px) {
 // How far along a slice sample i of kSteps lies, in pixels; at least 1, so that none is on P.
 float distance_of(int i, float jitter, float radius_px, float spread) {
     float u = (float(i) + jitter) / float(kSteps);
-    return 1.0 + radius_px * u * mix(1.0, u, spread);
+    float squared = u * mix(1.0, u, min(spread, 1.0));
+    return 1.0 + radius_px * squared * mix(1.0, u, max(spread - 1.0, 0.0));
 }
 
 // Abramowitz and Stegun 1964, 4.4.46: within 2e-8, and rounding.

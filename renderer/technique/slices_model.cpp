@@ -28,7 +28,9 @@ Bounded power_of(const Bounded& a, const Rounded& power) {
 Rounded slice_distance_px(int i, const Turn& turn, const Rounded& radius_px,
                           const Rounded& spread) {
     const Rounded u = (Rounded(i) + Rounded(turn.jitter)) / Rounded(kSliceSteps);
-    return Rounded(1.0) + radius_px * u * (Rounded(1.0) - spread + u * spread);
+    const auto mixed = [&u](const Rounded& share) { return Rounded(1.0) - share + u * share; };
+    const Rounded squared = u * mixed(min(spread, Rounded(1.0)));
+    return Rounded(1.0) + radius_px * squared * mixed(max(spread - Rounded(1.0), Rounded(0.0)));
 }
 
 Bounded arc_of(const Rounded& facing, const Rounded& across, const Bounded& c) {

@@ -96,7 +96,8 @@ struct Bounded {
     void operator+=(const Bounded& other);
 };
 
-/// How far along a slice sample i lies where samples lie evenly (spread 0) to squared (1).
+/// How far along a slice sample i lies where samples lie evenly (spread 0), squared (1) or cubed
+/// (2).
 [[nodiscard]] Rounded slice_distance_px(int i, const Turn& turn, const Rounded& radius_px,
                                         const Rounded& spread);
 

@@ -56,10 +56,16 @@ struct Technique {
     std::string variant;   ///< stem of a variant's name, as in the thesis: Blizzard -> Blizzard24
     std::string citation;  ///< the definition's source
     Output output = Output::kAccessibility;
-    bool ray_traced = false;  ///< accessibility comes from the ray tracer: no recipe
+    /// Accessibility comes from rays through the scene; without a recipe, by the tracer of the
+    /// truth.
+    bool ray_traced = false;
     SampleRange samples;
     std::vector<Parameter> parameters;
     Recipe (*recipe)(const Variant& variant) = nullptr;  ///< the variant has no problems
+    /// Beside the standard values, which are as published: those that come nearest to the truth,
+    /// one set without dimensions for all scenes; empty where there are none yet.
+    std::map<std::string, double> fitted;
+    std::string denoise = "separable";  ///< the filter that a study means where it names none
     /// The parameter that says how far samples reach; 0 puts them all on the pixel's own point.
     std::string reach;
     /// The definition in double precision; empty where there is none yet.
@@ -71,6 +77,8 @@ struct Technique {
 
     /// Why it fails an ideal; empty where it does not.
     [[nodiscard]] std::string why_not(Ideal ideal) const;
+    /// Whether it is what the others are held against.
+    [[nodiscard]] bool is_truth() const { return ray_traced && recipe == nullptr; }
     [[nodiscard]] bool makes_accessibility() const { return output == Output::kAccessibility; }
     /// The recipe of its standard settings; empty where there is none.
     [[nodiscard]] Recipe standard_recipe() const;

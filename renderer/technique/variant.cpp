@@ -57,6 +57,14 @@ void check_options(const Variant& variant, Problems& problems) {
         problems.push_back({option.name, fmt::format("\"{}\" is unknown; allowed are {}", value,
                                                      fmt::join(allowed, ", "))});
     }
+    const Technique& technique = *find_technique(variant.technique);
+    if (technique.ray_traced && !technique.is_truth() && variant.depth_format == "r16f") {
+        problems.push_back(
+            {"depth_format", fmt::format("\"r16f\" is not allowed: {} starts its rays "
+                                         "from the depth, and 16 bits put them "
+                                         "inside surfaces",
+                                         technique.name)});
+    }
 }
 
 void check_parameter(const Technique& technique, const std::string& name, double value,
@@ -140,6 +148,26 @@ bool Variant::operator==(const Variant& other) const {
            std::all_of(variant_options().begin(), variant_options().end(), same);
 }
 
+const std::vector<std::string>& preset_names() {
+    static const std::vector<std::string> names = {"published", "fitted"};
+    return names;
+}
+
+std::string apply_preset(const std::string& preset, Variant& variant) {
+    const Technique* technique = find_technique(variant.technique);
+    if (preset == preset_names().front()) return "";
+    if (preset != preset_names().back()) {
+        return fmt::format("\"{}\" is unknown; allowed are {}", preset,
+                           fmt::join(preset_names(), ", "));
+    }
+    if (technique == nullptr) return "";
+    if (technique->fitted.empty()) {
+        return fmt::format("{} has no fitted values, only published ones", technique->name);
+    }
+    variant.parameters.insert(technique->fitted.begin(), technique->fitted.end());
+    return "";
+}
+
 Variant standard_variant(const Technique& technique) {
     Variant variant;
     variant.technique = technique.name;
@@ -148,7 +176,7 @@ Variant standard_variant(const Technique& technique) {
 }
 
 std::string standard_denoise(const Technique& technique) {
-    return technique.makes_accessibility() && !technique.ray_traced ? "separable" : "none";
+    return technique.makes_accessibility() && !technique.is_truth() ? technique.denoise : "none";
 }
 
 int fetches_per_pixel(const Variant& variant) {

@@ -52,6 +52,13 @@ struct VariantOption {
 /// The option of that name, or nullptr.
 [[nodiscard]] const VariantOption* find_option(std::string_view name);
 
+/// Sets of a technique's values that have names: `published`, its standard values, and `fitted`.
+[[nodiscard]] const std::vector<std::string>& preset_names();
+
+/// Makes a preset's values those of the variant, which keeps what it sets itself. What is wrong
+/// with the name; empty where nothing is.
+[[nodiscard]] std::string apply_preset(const std::string& preset, Variant& variant);
+
 /// The technique with its standard samples and parameters, and no filter.
 [[nodiscard]] Variant standard_variant(const Technique& technique);
 

@@ -11,7 +11,6 @@
 #include "analysis/statistics/hard_cases.h"
 #include "analysis/statistics/mean_test.h"
 #include "analysis/statistics/preference_curve.h"
-#include "analysis/statistics/resampling.h"
 #include "analysis/statistics/share_difference.h"
 #include "analysis/statistics/sign_flip.h"
 #include "renderer/base/error.h"
@@ -101,31 +100,6 @@ TEST(MedianSlope, IsNotMovedByAWildPoint) {
     line.resize(7);
     EXPECT_NEAR(*median_slope(line), -.5, 1e-12);
     EXPECT_FALSE(median_slope({{1.0, 2.0}, {1.0, 3.0}}).has_value());
-}
-
-TEST(Resampling, DrawsParticipantsAndKeepsTheirVotesTogether) {
-    // Half of 100 participants chose B twice, half A twice: the share of B varies as that of 100
-    // coins, with standard deviation .05, and not as that of 200.
-    for (const std::int64_t size : {50, 1}) {
-        std::vector<AnswerPattern> patterns;
-        for (std::int64_t i = 0; i < 100 / size; ++i) {
-            const Votes votes = i % 2 == 0 ? Votes{0, 1} : Votes{1, 0};
-            patterns.push_back({{{0, votes}, {1, votes}}, size});
-        }
-        const Resampling resampling(patterns, 2);
-        EXPECT_EQ(resampling.participants(), 100);
-        ASSERT_EQ(*resampling.draws(), kMostDraws);
-        std::vector<double> shares;
-        resampling.run(kMostDraws, 1, [&](const std::vector<Votes>& votes) {
-            EXPECT_EQ(votes[0].b, votes[1].b);
-            shares.push_back(static_cast<double>(votes[0].b) / 100.0);
-        });
-        double variance = 0.0;
-        for (const double share : shares) variance += (share - .5) * (share - .5) / kMostDraws;
-        EXPECT_NEAR(std::sqrt(variance), .05, .004);
-        EXPECT_NEAR(percentile_interval(shares)->low, .4, .021);
-    }
-    EXPECT_FALSE(Resampling({{{{0, {0, 1}}}, 9}}, 1).draws().has_value()) << "nine participants";
 }
 
 TEST(PreferenceCurve, OfMirroredPointsHasAClosedForm) {

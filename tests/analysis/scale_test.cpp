@@ -8,6 +8,7 @@
 
 #include "analysis/statistics/bradley_terry.h"
 #include "analysis/statistics/exact_binomial.h"
+#include "analysis/statistics/mean_test.h"
 #include "analysis/statistics/order_bias.h"
 #include "analysis/statistics/thurstone.h"
 #include "renderer/base/error.h"
@@ -196,6 +197,52 @@ TEST(PairedScales, SayDisconnectionAndSeparation) {
     EXPECT_THAT(bradley_terry_with_order(three, {{0, 1, 3, 4}, {1, 2, 2, 5}}).reason,
                 HasSubstr("do not settle"))
         << "no pair tells its order";
+}
+
+/// Three votes of each participant on one pair.
+VotesOfEach three_votes_each(const std::vector<int>& for_one) {
+    VotesOfEach each;
+    for (const int chosen : for_one) {
+        for (int i = 0; i < 3; ++i) each.votes.push_back({0, i < chosen});
+        each.begin.push_back(each.votes.size());
+    }
+    return each;
+}
+
+TEST(ParticipantsErrors, OfOnePairAreThoseOfTheShareOverParticipants) {
+    const std::vector<int> for_one{0, 1, 3, 3, 2, 3, 0, 3, 2, 3, 1, 3};
+    std::vector<double> shares;
+    for (const int chosen : for_one) shares.push_back(chosen / 3.0);
+    const std::vector<PairVotes> pairs{{0, 1, 24, 12}};
+    const ScaleOptions options{ScaleLink::kLogistic, 1};
+    const auto plain = fit_scale({"x", "y"}, pairs, options);
+    const auto robust = with_participants_errors(*plain, pairs, options, three_votes_each(for_one));
+    EXPECT_NEAR(robust->values[0], std::log(2.0), 1e-9);
+    // d logit / d share = 1 / (2/3 1/3).
+    EXPECT_NEAR(robust->standard_errors[0], mean_test(shares)->standard_error * 9.0 / 2.0, 1e-9);
+    EXPECT_NEAR(plain->standard_errors[0], 1.0 / std::sqrt(36.0 * 2.0 / 9.0), 1e-9);
+    EXPECT_EQ(robust->standard_errors[1], 0.0);
+    EXPECT_FALSE(with_participants_errors(*plain, pairs, options, {}).has_value());
+    EXPECT_THROW((void)with_participants_errors(*plain, pairs, options, {{{1, true}}, {0, 1}}),
+                 base::Error);
+}
+
+TEST(MaximumAPosteriori, OfSeparatedVotesSolvesItsEquation) {
+    const std::vector<PairVotes> pairs{{0, 1, 9, 0}};
+    ScaleOptions options{ScaleLink::kLogistic, 1};
+    EXPECT_THAT(fit_scale({"x", "y"}, pairs, options).reason, HasSubstr("separated"));
+    options.prior_sd = 2.0;
+    const auto scale = fit_scale({"x", "y"}, pairs, options);
+    ASSERT_TRUE(scale.has_value()) << scale.reason;
+    const double value = scale->values[0];
+    EXPECT_NEAR(9.0 / (1.0 + std::exp(value)), value / 4.0, 1e-8);
+    const double share = 1.0 / (1.0 + std::exp(-value));
+    EXPECT_NEAR(scale->standard_errors[0], 1.0 / std::sqrt(9.0 * share * (1.0 - share) + 1.0 / 4.0),
+                1e-8);
+    // The two orders of showing of a pair are one difference, held once.
+    const auto parted = fit_scale({"x", "y"}, {{0, 1, 5, 0, 1}, {0, 1, 4, 0, -1}}, options);
+    EXPECT_NEAR(parted->values[0], value, 1e-8);
+    EXPECT_THAT(fit_scale({"x", "y", "z"}, pairs, options).reason, HasSubstr("no pair connects"));
 }
 
 TEST(PairedScales, HaveFiniteValuesOrAReasonAtTheEdges) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -70,35 +71,76 @@ double pattern_of(const std::vector<float>& values, int first_row) {
     return strongest;
 }
 
-TEST_F(DenoiseTest, SeparableLeavesNoPatternOfTheTileOnATiltedFloor) {
-    const std::map<std::string, double> wide = {{"radius_m", 1.0}, {"power", 8.0}};
-    const Frame frame = render(corner_scene(), "blizzard", "separable", wide);
-    const double before = pattern_of(frame.read_floats(Target::kAccessibility), 195);
-    const double after = pattern_of(frame.read_floats(Target::kDenoised), 195);
-    EXPECT_GT(before, 0.005);
-    EXPECT_LT(after, before / 25.0);
+/// Of the filters, those that know edges.
+std::vector<std::string> edge_aware() {
+    std::vector<std::string> names;
+    for (const Denoise& denoise : denoise_filters()) {
+        if (denoise.model && denoise.edge_by_nature.empty()) names.push_back(denoise.name);
+    }
+    return names;
 }
 
-TEST_F(DenoiseTest, SeparableNeverLeaksAcrossADepthEdge) {
+using EdgeAwareDenoise = DenoiseTest;
+
+TEST_F(EdgeAwareDenoise, LeavesNoPatternOfTheTileOnATiltedFloor) {
+    const std::map<std::string, double> wide = {{"radius_m", 1.0}, {"power", 8.0}};
+    for (const std::string& filter : edge_aware()) {
+        const Frame frame = render(corner_scene(), "blizzard", filter, wide);
+        const double before = pattern_of(frame.read_floats(Target::kAccessibility), 195);
+        const double after = pattern_of(frame.read_floats(Target::kDenoised), 195);
+        EXPECT_GT(before, 0.005);
+        EXPECT_LT(after, before / 25.0) << filter;
+    }
+}
+
+TEST_F(EdgeAwareDenoise, NeverLeaksAcrossADepthEdge) {
     // A board tilted away, which blizzard darkens all over, before an open wall far behind it.
     Scene scene = tests::facing_wall(20.0F);
     tests::add_quad(scene, {-1.0F, -1.0F, -4.0F}, {2.0F, 0.0F, 0.0F}, {0.0F, 1.0F, -2.5F});
-    const Frame frame = render(scene, "blizzard", "separable",
-                               {{"radius_m", 0.3}, {"power", 3000.0}, {"full_threshold_m", 0.0}});
-    const std::vector<float> depth = frame.read_floats(Target::kDepth);
-    const std::vector<float> smooth = frame.read_floats(Target::kDenoised);
-    double board = 0.0;
-    int pixels = 0;
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (depth[i] > 15.0F) {
-            ASSERT_GE(smooth[i], 0.99F) << "pixel " << i % 256 << ", " << i / 256;
-        } else {
-            board += smooth[i];
-            ++pixels;
+    for (const std::string& filter : edge_aware()) {
+        const Frame frame =
+            render(scene, "blizzard", filter,
+                   {{"radius_m", 0.3}, {"power", 3000.0}, {"full_threshold_m", 0.0}});
+        const std::vector<float> depth = frame.read_floats(Target::kDepth);
+        const std::vector<float> smooth = frame.read_floats(Target::kDenoised);
+        double board = 0.0;
+        int pixels = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            if (depth[i] > 15.0F) {
+                ASSERT_GE(smooth[i], 0.99F) << filter << ", pixel " << i % 256 << ", " << i / 256;
+            } else {
+                board += smooth[i];
+                ++pixels;
+            }
         }
+        // A leak of even a tenth of the weights would then show on the wall.
+        EXPECT_LT(board / pixels, 0.9) << "the board is not dark: nothing could leak";
     }
-    // A leak of even a tenth of the weights would then show on the wall.
-    EXPECT_LT(board / pixels, 0.9) << "the board is not dark: nothing could leak";
+}
+
+TEST_F(EdgeAwareDenoise, GaussianNdStopsAtAnEdgeThatOnlyNormalsKnow) {
+    // A right angle seen evenly from both sides: depth goes on in it, and normals turn.
+    Scene scene = tests::empty_scene();
+    tests::add_quad(scene, {0.0F, -9.0F, -6.0F}, {9.0F, 0.0F, 9.0F}, {0.0F, 18.0F, 0.0F});
+    tests::add_quad(scene, {-9.0F, -9.0F, 3.0F}, {9.0F, 0.0F, -9.0F}, {0.0F, 18.0F, 0.0F});
+    const Frame frame = render(scene, "blizzard", "gaussian_nd", {{"radius_m", 0.5}});
+    const std::vector<float> raw = frame.read_floats(Target::kAccessibility);
+    const std::vector<float> smooth = frame.read_floats(Target::kDenoised);
+    for (int y = 40; y < 216; ++y) {
+        // What a pixel beside the edge is made of lies within six pixels on its own side.
+        float least = 1.0F;
+        float most = 0.0F;
+        for (int j = -6; j <= 6; ++j) {
+            for (int x = 128; x < 136; ++x) {
+                const float value = raw[static_cast<std::size_t>(y + j) * 256 + x];
+                least = std::min(least, value);
+                most = std::max(most, value);
+            }
+        }
+        const float value = smooth[static_cast<std::size_t>(y) * 256 + 129];
+        ASSERT_GE(value, least - 1e-5F) << y;
+        ASSERT_LE(value, most + 1e-5F) << y;
+    }
 }
 
 TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {

@@ -13,6 +13,7 @@
 #include "renderer/frame/explain.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/reference/reference.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -392,6 +393,8 @@ TEST_F(EveryTechnique, AndFilterSaysWhatItsShadersReadAndNoMore) {
     const auto traced = [](const Camera&, int width, int height, const Variant&) {
         return std::vector<float>(static_cast<std::size_t>(width * height), 0.5F);
     };
+    const ReferenceScene made(scene);
+    const auto rays = [&made]() -> const ReferenceScene& { return made; };
     int drawn = 0;
     for (const Technique& technique : techniques()) {
         for (const Denoise& denoise : denoise_filters()) {
@@ -400,8 +403,9 @@ TEST_F(EveryTechnique, AndFilterSaysWhatItsShadersReadAndNoMore) {
             if (!problems_of(variant).empty()) continue;
             for (const FrameOptions& options :
                  {FrameOptions{}, {.supersampling = 2, .occluding_opacity = 0.9F}}) {
-                (void)renderer_.render({gpu, lighting, tests::forward_camera(), options, traced},
-                                       variant, 32, 24);
+                (void)renderer_.render(
+                    {gpu, lighting, tests::forward_camera(), options, traced, rays}, variant, 32,
+                    24);
                 ++drawn;
             }
         }

@@ -61,11 +61,36 @@ TEST_F(Techniques, AWallFacingTheCameraHasTheClosedFormOfEachDefinition) {
 
 TEST_F(Techniques, EachThatAShaderComputesHasAModelAndAReachFromZero) {
     for (const Technique& technique : techniques()) {
-        if (technique.recipe == nullptr || !technique.makes_accessibility()) continue;
+        if (technique.ray_traced || !technique.makes_accessibility()) continue;
+        if (technique.recipe == nullptr) continue;
         EXPECT_TRUE(technique.model) << technique.name;
         ASSERT_NE(technique.find_parameter(technique.reach), nullptr) << technique.name;
         EXPECT_EQ(technique.find_parameter(technique.reach)->low, 0.0) << technique.name;
     }
+}
+
+TEST(FittedValues, HaveNoUnitOfLengthAndAreAllowed) {
+    int fitted = 0;
+    for (const Technique& technique : techniques()) {
+        Variant variant = standard_variant(technique);
+        EXPECT_EQ(apply_preset("published", variant), "");
+        EXPECT_EQ(variant, standard_variant(technique));
+        EXPECT_NE(apply_preset("fited", variant), "");
+        EXPECT_EQ(apply_preset("fitted", variant).empty(), !technique.fitted.empty());
+        EXPECT_TRUE(problems_of(variant).empty()) << technique.name;
+        for (const auto& [name, value] : technique.fitted) {
+            const Parameter* parameter = technique.find_parameter(name);
+            ASSERT_NE(parameter, nullptr) << technique.name << ", " << name;
+            EXPECT_TRUE(parameter->fit && parameter->unit != "m") << technique.name << ", " << name;
+            ++fitted;
+        }
+        Variant own = standard_variant(technique);
+        for (const auto& [name, value] : technique.fitted) own.parameters[name] = 0.5;
+        const Variant before = own;
+        (void)apply_preset("fitted", own);
+        EXPECT_EQ(own, before) << "what is set stays";
+    }
+    EXPECT_GT(fitted, 0);
 }
 
 TEST_P(Computing, EmptyPixelsAreExactlyOpen) {

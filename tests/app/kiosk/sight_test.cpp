@@ -13,8 +13,8 @@
 #include "app/kiosk/clock.h"
 #include "app/window/letters.h"
 #include "app/kiosk/stage.h"
-#include "app/window/theme.h"
 #include "app/kiosk/window.h"
+#include "app/window/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
 // Only for the names of the keys.

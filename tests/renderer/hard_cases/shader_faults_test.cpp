@@ -210,6 +210,26 @@ std::vector<Fault> all_faults() {
     add("bitmask", "CutOffIgnored", "technique/bitmask.glsl", "farthest_m * farthest_m", "1.0e30");
     add("bitmask", "OneSectorTooMany", "technique/bitmask.glsl", "lowest(uint(ends.y))",
         "lowest(uint(ends.y) + 1u)");
+    const char* const hemisphere = "technique/hemisphere.glsl";
+    add("hemisphere", "RadiusTwoPercentOff", hemisphere, "point * p_radius_m",
+        "point * 1.02 * p_radius_m");
+    add("hemisphere", "MeanOfFewer", hemisphere, "float(SAMPLES)", "float(SAMPLES - 1)");
+    add("hemisphere", "BiasIgnored", hemisphere, "> p_bias * p_radius_m", "> 0.0");
+    add("hemisphere", "RangeAlwaysChecked", hemisphere, "p_range_check < 0.5 ||", "");
+    add("hemisphere", "FrameTransposed", hemisphere, "frame * point", "point * frame");
+    add("hemisphere", "FrameLeftHanded", "technique/tangent_frame.glsl", "cross(n, t)",
+        "cross(t, n)");
+    add("hemisphere", "TangentNotAtRightAngles", "technique/tangent_frame.glsl",
+        "r - n * dot(r, n)", "r - 0.9 * n * dot(r, n)");
+    const char* const starcraft2 = "technique/starcraft2.glsl";
+    add("starcraft2", "RadiusTwoPercentOff", starcraft2, "min(p_radius_m", "min(1.02 * p_radius_m");
+    add("starcraft2", "HemisphereTurnedOver", starcraft2, "dot(o, n) < 0.0", "dot(o, n) > 0.0");
+    add("starcraft2", "EpsilonIgnored", starcraft2, "delta <= p_epsilon * radius_m",
+        "delta <= 0.0");
+    add("starcraft2", "PowerTwoPercentOff", starcraft2, "1.0), power)", "1.0), 1.02 * power)");
+    add("starcraft2", "BrighterWins", starcraft2, "max(wide, small)", "min(wide, small)");
+    add("starcraft2", "SmallSetWide", starcraft2, "radius_m *= p_small_radius;", "");
+    add("starcraft2", "ComparedWithP", starcraft2, "occlusion(-s.z - ", "occlusion(-p.z - ");
     const char* const box = "denoise/box4.glsl";
     add("blizzard", "Box4OneTexelOff", box, "- kTileSize / 2;", "- kTileSize / 2 + 1;");
     add("blizzard", "Box4DroppedRow", box, "y < kTileSize;", "y < kTileSize - 1;");
@@ -220,6 +240,16 @@ std::vector<Fault> all_faults() {
     add("blizzard", "SeparablePacksDepth", separable, "1.0 / max(depth_m, 1.0e-9)", "depth_m");
     add("blizzard", "SeparableSlopeOfOneSide", separable, "abs(before) < abs(after)", "true");
     add("blizzard", "SeparableIgnoresSlope", separable, "w + slope * float(i)", "w");
+    const char* const bilateral = "denoise/bilateral.glsl";
+    add("blizzard", "BilateralToleranceOff", bilateral, "0.004", "0.0042");
+    add("blizzard", "BilateralWeightOff", bilateral, "(4.0 - abs(float(x)))",
+        "(4.1 - abs(float(x)))");
+    add("blizzard", "BilateralIgnoresSlope", bilateral, "w + across * float(x)", "w");
+    const char* const gaussian = "denoise/gaussian_nd.glsl";
+    add("blizzard", "GaussianWeightOff", gaussian, "0.882496903", "0.87");
+    add("blizzard", "GaussianIgnoresNormals", gaussian, ">= kLeastCosine", ">= -2.0");
+    add("blizzard", "GaussianToleranceOff", gaussian, "<= kTolerance * w",
+        "<= 0.5 * kTolerance * w");
     return faults;
 }
 

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/reference/buffer_rays.h"
+
+#include <xmmintrin.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "renderer/passes/shared_constants.h"
+#include "renderer/reference/ray_scene.h"
+#include "renderer/reference/sampler.h"
+#include "renderer/scene/camera.h"
+
+namespace obscura::renderer {
+namespace {
+
+constexpr int kSide = BlockSampler::kSide;
+constexpr int kPacket = 16;
+/// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
+constexpr unsigned kFlushDenormals = 0x8040;
+/// How far off its surface a ray starts, as a share of the depth: what interpolation in floats over
+/// large triangles may leave of it.
+constexpr float kOffset = 3.0e-5F;
+
+glm::vec3 decoded(const float* code) {
+    const glm::vec3 n = (glm::vec3(code[0], code[1], code[2]) * 255.0F - 128.0F) * (1.0F / 127.0F);
+    const float squared = glm::dot(n, n);
+    return squared > 1.0e-12F ? n / std::sqrt(squared) : glm::vec3(0.0F, 0.0F, 1.0F);
+}
+
+/// Duff et al. 2017, equation 6.
+glm::mat3 frame_of(const glm::vec3& n) {
+    const float sign = std::copysign(1.0F, n.z);
+    const float s = -1.0F / (sign + n.z);
+    const float t = n.x * n.y * s;
+    return {glm::vec3(1.0F + sign * n.x * n.x * s, sign * t, -sign * n.x),
+            glm::vec3(t, sign + n.y * n.y * s, -n.y), n};
+}
+
+/// Where rays start, in the world relative to the scene's origin, and about which frame.
+struct Start {
+    glm::vec3 at_m;
+    glm::mat3 frame;
+};
+
+class Tracer {
+  public:
+    Tracer(const RayScene& scene, const Camera& camera, const SeenSurfaces& surfaces,
+           double radius_m, int rays)
+        : scene_(scene),
+          matrices_(matrices_of(camera, surfaces.width, surfaces.height)),
+          surfaces_(surfaces),
+          radius_m_(static_cast<float>(radius_m)),
+          rays_(rays),
+          sampler_(rays),
+          world_from_view_(glm::transpose(glm::mat3(matrices_.view_from_world))),
+          eye_m_(glm::vec3(glm::dvec3(camera.position_m) - scene.origin_m())),
+          open_(surfaces.depth_m.size(), 1.0F) {}
+
+    std::vector<float> run() {
+        const int columns = (surfaces_.width + kSide - 1) / kSide;
+        const int rows = (surfaces_.height + kSide - 1) / kSide;
+        std::atomic<int> next{0};
+        const auto work = [&] {
+            const unsigned saved = _mm_getcsr();
+            _mm_setcsr(saved | kFlushDenormals);
+            Block block(static_cast<std::size_t>(kSide * kSide * rays_));
+            for (int row = next++; row < rows; row = next++) {
+                for (int column = 0; column < columns; ++column) trace(block, column, row);
+            }
+            _mm_setcsr(saved);
+        };
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        {
+            std::vector<std::jthread> others;
+            for (unsigned i = 1; i < cores; ++i) others.emplace_back(work);
+            work();
+        }
+        return std::move(open_);
+    }
+
+  private:
+    struct Block {
+        explicit Block(std::size_t rays) : x(rays), y(rays), z(rays) {}
+        std::vector<float> x, y, z;  ///< directions about +Z
+        std::array<Start, kSide * kSide> starts{};
+        std::array<std::size_t, kSide * kSide> pixels{};
+        std::array<int, kSide * kSide> parts{};
+        std::array<int, kSide * kSide> met{};  ///< rays that met something
+        int count = 0;
+    };
+
+    /// A pixel's view-space point; of its neighbours too.
+    [[nodiscard]] glm::vec3 point(int x, int y) const {
+        const float z = surfaces_.depth_m[index(x, y)];
+        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(surfaces_.width),
+                           (static_cast<float>(y) + 0.5F) / static_cast<float>(surfaces_.height));
+        const glm::vec2 ray = (uv * 2.0F - 1.0F) * matrices_.ray_scale + matrices_.ray_offset;
+        return glm::vec3(ray, -1.0F) * z;
+    }
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    /// The change of the point from one pixel to the next, on the side where depth changes less.
+    [[nodiscard]] glm::vec3 change(int x, int y, int dx, int dy) const {
+        const bool before = x - dx >= 0 && y - dy >= 0;
+        const bool after = x + dx < surfaces_.width && y + dy < surfaces_.height;
+        const glm::vec3 here = point(x, y);
+        const glm::vec3 back = before ? here - point(x - dx, y - dy) : glm::vec3(0.0F, 0.0F, 1e30F);
+        const glm::vec3 on = after ? point(x + dx, y + dy) - here : glm::vec3(0.0F, 0.0F, 1e30F);
+        return std::abs(back.z) < std::abs(on.z) ? back : on;
+    }
+
+    /// The face's own normal where depths of neighbours tell it: the hemisphere of the truth.
+    [[nodiscard]] glm::vec3 face_normal(int x, int y, const glm::vec3& stored) const {
+        const glm::vec3 across = glm::cross(change(x, y, 1, 0), change(x, y, 0, 1));
+        const float squared = glm::dot(across, across);
+        if (!(squared > 0.0F) || !std::isfinite(squared)) return stored;
+        const glm::vec3 n = across / std::sqrt(squared);
+        // Where the two are far apart, the neighbours lie on other surfaces.
+        return glm::dot(n, stored) > 0.7F ? n : stored;
+    }
+
+    void add_pixel(Block& block, int x, int y) {
+        const std::size_t pixel = index(x, y);
+        if (!(surfaces_.depth_m[pixel] < kBackgroundLimit_m)) return;
+        const auto slot = static_cast<std::size_t>(block.count++);
+        const glm::vec3 stored = decoded(&surfaces_.normal[3 * pixel]);
+        const glm::vec3 n = face_normal(x, y, stored);
+        const glm::vec3 p = point(x, y);
+        const float offset_m = kOffset * (std::abs(p.z) + glm::length(eye_m_));
+        block.starts[slot] = {eye_m_ + world_from_view_ * (p + offset_m * n),
+                              frame_of(world_from_view_ * n)};
+        block.pixels[slot] = pixel;
+        block.parts[slot] = BlockSampler::part_of(x, y);
+        block.met[slot] = 0;
+    }
+
+    void trace(Block& block, int column, int row) {
+        block.count = 0;
+        for (int y = row * kSide; y < std::min((row + 1) * kSide, surfaces_.height); ++y) {
+            for (int x = column * kSide; x < std::min((column + 1) * kSide, surfaces_.width); ++x) {
+                add_pixel(block, x, y);
+            }
+        }
+        if (block.count == 0) return;
+        sampler_.directions(
+            static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column),
+            block.x.data(), block.y.data(), block.z.data());
+        const int all = block.count * rays_;
+        for (int first = 0; first < all; first += kPacket) cast(block, first, all);
+        for (int i = 0; i < block.count; ++i) {
+            const auto slot = static_cast<std::size_t>(i);
+            open_[block.pixels[slot]] =
+                1.0F - static_cast<float>(block.met[slot]) / static_cast<float>(rays_);
+        }
+    }
+
+    /// Sixteen rays: those of one pixel after the other.
+    void cast(Block& block, int first, int all) const {
+        alignas(64) int valid[kPacket];
+        RTCRay16 packet{};
+        for (int i = 0; i < kPacket; ++i) {
+            const int ray = std::min(first + i, all - 1);
+            valid[i] = first + i < all ? -1 : 0;
+            const auto slot = static_cast<std::size_t>(ray / rays_);
+            const auto k = static_cast<std::size_t>(block.parts[slot] * rays_ + ray % rays_);
+            const Start& start = block.starts[slot];
+            const glm::vec3 towards = start.frame * glm::vec3(block.x[k], block.y[k], block.z[k]);
+            packet.org_x[i] = start.at_m.x;
+            packet.org_y[i] = start.at_m.y;
+            packet.org_z[i] = start.at_m.z;
+            packet.dir_x[i] = towards.x;
+            packet.dir_y[i] = towards.y;
+            packet.dir_z[i] = towards.z;
+            packet.tnear[i] = 0.0F;
+            packet.tfar[i] = radius_m_;
+            packet.mask[i] = ~0U;
+        }
+        RayScene::Context context(false);
+        rtcOccluded16(valid, scene_.embree(), &context, &packet);
+        for (int i = 0; i < kPacket && first + i < all; ++i) {
+            if (packet.tfar[i] < 0.0F) ++block.met[static_cast<std::size_t>((first + i) / rays_)];
+        }
+    }
+
+    const RayScene& scene_;
+    CameraMatrices matrices_;
+    SeenSurfaces surfaces_;
+    float radius_m_;
+    int rays_;
+    BlockSampler sampler_;
+    glm::mat3 world_from_view_;
+    glm::vec3 eye_m_;
+    std::vector<float> open_;
+};
+
+}  // namespace
+
+std::vector<float> trace_from_buffers(const RayScene& scene, const Camera& camera,
+                                      const SeenSurfaces& surfaces, double radius_m, int rays) {
+    return Tracer(scene, camera, surfaces, radius_m, rays).run();
+}
+
+}  // namespace obscura::renderer

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "renderer/reference/buffer_rays.h"
+#include "renderer/reference/reference.h"
+#include "renderer/technique/technique.h"
+
+namespace obscura::renderer {
+namespace {
+
+std::vector<float> traced(const ProcessorWork& work) {
+    return trace_from_buffers(work.rays.rays(), work.camera,
+                              {work.width, work.height, work.reads[0], work.reads[1]},
+                              work.parameters.at("radius_m"), work.samples);
+}
+
+Recipe recipe_of(const Variant& /*variant*/) {
+    Step step;
+    step.name = "rays, on the processor";
+    step.reads = {Target::kDepth, Target::kNormal};
+    step.writes = Target::kAccessibility.name;
+    step.fetches = 2;
+    step.cover = Cover::kAll;
+    step.processor = traced;
+    Recipe recipe;
+    recipe.steps = {step};
+    return recipe;
+}
+
+}  // namespace
+
+Technique raytraced_technique() {
+    Technique technique;
+    technique.name = "raytraced";
+    technique.variant = "RayTraced";
+    technique.citation =
+        "ray traced from the G-buffer on the processor: cosine-weighted visibility within a "
+        "radius, "
+        "Owen-scrambled Sobol points shared by blocks of 4x4 pixels (Owen 1995, Burley 2020); "
+        "Embree "
+        "3";
+    technique.ray_traced = true;
+    technique.samples = {1, 64, 4, 1};
+    technique.parameters = {
+        {"radius_m", "Distance to which surfaces occlude", "m", 0.0, 1.0e6, 0.5, false, false},
+    };
+    technique.recipe = recipe_of;
+    technique.reach = "radius_m";
+    technique.denoise = "known_error";
+    return technique;
+}
+
+}  // namespace obscura::renderer
