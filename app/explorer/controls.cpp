@@ -124,10 +124,10 @@ void act(Desk& desk, Deed deed) {
             state.open_dialog = true;
             break;
         case Deed::kSaveImage:
-            desk.orders.save_image = "";
+            desk.orders.save_image = true;
             break;
         case Deed::kSaveBuffers:
-            desk.orders.save_buffers = "";
+            desk.orders.save_buffers = true;
             break;
         case Deed::kSaveToStudy:
             state.study_dialog_open = true;

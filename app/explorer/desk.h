@@ -24,10 +24,10 @@ struct Orders {
     std::optional<std::string> open;       ///< a scene's id or file, or a study
     std::optional<std::string> condition;  ///< of the open study, to be shown
     bool cancel_opening = false;
-    std::optional<std::string> save_image;    ///< file of a PNG
-    std::optional<std::string> save_buffers;  ///< file of an EXR; of A, B's beside it
-    bool save_to_study = false;               ///< what the dialog says
-    std::optional<std::string> copy;          ///< text for the clipboard
+    bool save_image = false;          ///< of A and B, as PNG
+    bool save_buffers = false;        ///< the same as EXR
+    bool save_to_study = false;       ///< what the dialog says
+    std::optional<std::string> copy;  ///< text for the clipboard
     bool close = false;
 };
 
@@ -43,6 +43,15 @@ struct StudyDialog {
     bool done = false;                ///< it was written: the dialog closes
 };
 
+/// Comparing a whole image takes tens of milliseconds: what came of it, while nothing changes.
+struct KeptComparison {
+    std::shared_ptr<const Shot> shot;
+    std::shared_ptr<const Truth> truth;
+    std::optional<Region> region;
+    double made_s = -1e9;
+    analysis::Possible<Comparison> outcome = analysis::Possible<Comparison>::none("nothing yet");
+};
+
 /// What the panels remember from frame to frame beside the model.
 struct PanelState {
     bool help = false;
@@ -51,8 +60,8 @@ struct PanelState {
     bool open_dialog = false;
     bool study_dialog_open = false;
     StudyDialog study_dialog;
-    std::string image_file;
-    unsigned typed_id = 0;  ///< the slider that is being typed into; 0: none
+    std::string environment;  ///< as it is typed
+    unsigned typed_id = 0;    ///< the slider that is being typed into; 0: none
     bool typed_begins = false;
     std::string typed;
     double pressed_value = 0.0;  ///< of a slider when the mouse went down on it
@@ -61,6 +70,7 @@ struct PanelState {
     int active_pane = 0;
     std::vector<Message> messages;
     float text_scale = 1.0F;
+    std::map<char, KeptComparison> comparisons;  ///< by side
     /// Middles of the fields, by panel and name (`b/radius_m`, `b/technique/hbao`), as they were
     /// drawn last: for those who drive the window from outside.
     std::map<std::string, glm::vec2> places;

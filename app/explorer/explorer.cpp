@@ -122,7 +122,12 @@ void Explorer::take_results() {
     for (Shot& shot : answers.shots) model_.rendered(std::move(shot), now_s);
     for (std::string& problem : answers.problems) say(std::move(problem), true);
     if (std::string problem = tracer_.take_problem(); !problem.empty()) say(problem, true);
-    model_.set_truth(tracer_.snapshot(model_.truth_look()));
+    // A copy of all pixels is not made for every frame.
+    constexpr double kTruthEvery_s = 0.4;
+    if (now_s - truth_s_ > kTruthEvery_s) {
+        truth_s_ = now_s;
+        model_.set_truth(tracer_.snapshot(model_.truth_look()));
+    }
     if (!renderer_.device().empty() && software_ != renderer_.software()) {
         software_ = renderer_.software();
         model_.set_software(software_);
@@ -146,7 +151,8 @@ void Explorer::draw_side_panel(Desk& desk, const Box& box) {
     ImGui::SetNextWindowSize({box.size().x, box.size().y});
     ImGui::Begin("##side", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     const auto section = [](const char* name, bool open) {
         return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     };
@@ -229,8 +235,8 @@ void Explorer::carry_out(Orders& orders) {
     } catch (const std::exception& error) {
         say(error.what(), true);
     }
-    if (orders.save_image) waiting_image_ = orders.save_image;
-    if (orders.save_buffers) waiting_buffers_ = orders.save_buffers;
+    waiting_image_ |= orders.save_image;
+    waiting_buffers_ |= orders.save_buffers;
     if (orders.save_to_study) save_to_study();
     if (orders.copy) {
         ImGui::SetClipboardText(orders.copy->c_str());
@@ -281,8 +287,8 @@ void Explorer::save_when_ready() {
     } catch (const std::exception& error) {
         say(fmt::format("Not saved: {}", error.what()), true);
     }
-    waiting_image_.reset();
-    waiting_buffers_.reset();
+    waiting_image_ = false;
+    waiting_buffers_ = false;
 }
 
 void Explorer::save_to_study() {

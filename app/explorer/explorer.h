@@ -76,8 +76,9 @@ class Explorer {
     bool keys_held_ = false;
     double frame_s_ = 0.0;                        ///< when the last one began
     std::optional<renderer::Camera> own_camera_;  ///< of the study, for the scene being opened
-    std::optional<std::string> waiting_image_;
-    std::optional<std::string> waiting_buffers_;
+    bool waiting_image_ = false;                  ///< to be saved once it is as good as it gets
+    bool waiting_buffers_ = false;
+    double truth_s_ = 0.0;  ///< when the truth was looked at last
     Pace pace_;
     std::optional<double> input_s_;  ///< the earliest input that no rendered image shows yet
     std::uint64_t input_look_ = 0;

@@ -220,7 +220,10 @@ std::optional<Model::Wanted> Model::next_request(double now_s, bool busy) {
     }
     if (timings_left_ > 0) {
         --timings_left_;
-        return ask(finest(), 1);
+        Wanted wanted = ask(finest(), 1);
+        wanted.request.afresh = true;
+        wanted.request.sides = "ab";
+        return wanted;
     }
     return std::nullopt;
 }

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "app/explorer/flight.h"
+#include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/frame/explain.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
 
 namespace obscura::app::explorer {
@@ -76,7 +78,8 @@ Shot Photographer::take(const ShotRequest& request, char side,
     const int height = std::max(1, choices.height / request.divisor);
     const std::string key = fmt::format("{}x{} {} {} {}", width, height, options.supersampling,
                                         options.all_buffers, options.occluding_opacity.value_or(0));
-    if (key != known_key_ || !same_view(request.camera, known_camera_)) known_ = {};
+    if (request.afresh || key != known_key_ || !same_view(request.camera, known_camera_))
+        known_ = {};
     known_key_ = key;
     known_camera_ = request.camera;
     const auto trace = [&](const renderer::Camera& camera, int image_width, int image_height,
@@ -93,8 +96,9 @@ Shot Photographer::take(const ShotRequest& request, char side,
         }
     };
     const renderer::Variant& variant = choices.side(side);
+    const auto rays = [this]() -> const renderer::ReferenceScene& { return scene_->rays(); };
     const renderer::Frame frame = renderer_.render(
-        {*gpu_, lighting_, request.camera, options, trace}, variant, width, height, known_);
+        {*gpu_, lighting_, request.camera, options, trace, rays}, variant, width, height, known_);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace obscura::app::explorer {
 namespace {
@@ -16,16 +17,49 @@ void add(std::vector<Preset>& presets, Preset preset) {
     if (!there) presets.push_back(std::move(preset));
 }
 
+/// What papers compare by numbers of samples, with the technique's published values.
+struct PaperSamples {
+    const char* technique;
+    const char* paper;
+    int samples;
+};
+constexpr std::array kPapers{
+    PaperSamples{"hemisphere", "Whinham 2017", 4},  PaperSamples{"hemisphere", "Whinham 2017", 8},
+    PaperSamples{"hemisphere", "Whinham 2017", 16}, PaperSamples{"hemisphere", "Whinham 2017", 32},
+    PaperSamples{"hemisphere", "Whinham 2017", 64}, PaperSamples{"hemisphere", "Whinham 2017", 128},
+};
+
+void add_papers(std::vector<Preset>& presets, const renderer::Technique& technique,
+                const renderer::Variant& now) {
+    for (const PaperSamples& paper : kPapers) {
+        if (technique.name != paper.technique) continue;
+        renderer::Variant variant = switched_to(technique, now);
+        variant.samples = paper.samples;
+        add(presets,
+            {fmt::format("{}, {} samples", paper.paper, paper.samples),
+             fmt::format("One of the numbers of samples that {} compares", paper.paper), variant});
+    }
+}
+
 }  // namespace
 
-std::vector<Preset> presets_of(const std::string& technique,
+std::vector<Preset> presets_of(const renderer::Variant& now,
                                const std::optional<OpenStudy>& study) {
+    const std::string& technique = now.technique;
     std::vector<Preset> presets;
     const renderer::Technique* descriptor = renderer::find_technique(technique);
     if (descriptor == nullptr) return presets;
-    renderer::Variant standard = renderer::standard_variant(*descriptor);
-    standard.denoise = renderer::standard_denoise(*descriptor);
-    add(presets, {"standard", "The descriptor's defaults: " + descriptor->citation, standard});
+    for (const std::string& name : renderer::preset_names()) {
+        renderer::Variant variant = switched_to(*descriptor, now);
+        // Of several sets of values that reach as far: the radius is the scene's.
+        const bool fitted = name != renderer::preset_names().front();
+        if (!renderer::apply_preset(name, variant).empty()) continue;
+        add(presets, {name,
+                      fitted ? "The values that come nearest to the truth, one set for all scenes"
+                             : "The source's own values: " + descriptor->citation,
+                      variant});
+    }
+    add_papers(presets, *descriptor, now);
     if (!study) return presets;
     for (const stimuli::Condition& condition : study->study.conditions) {
         for (const char side : {'a', 'b'}) {

@@ -17,8 +17,9 @@ struct Preset {
     renderer::Variant variant;
 };
 
-/// Those of the technique: its standard, what papers compare, what the study shows.
-[[nodiscard]] std::vector<Preset> presets_of(const std::string& technique,
+/// Those of the technique: published and fitted values, what papers compare, both with the radius
+/// of `now`; and what the study shows.
+[[nodiscard]] std::vector<Preset> presets_of(const renderer::Variant& now,
                                              const std::optional<OpenStudy>& study);
 
 }  // namespace obscura::app::explorer

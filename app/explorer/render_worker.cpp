@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/explorer/photographer.h"
+#include "renderer/base/error.h"
 #include "renderer/gl/context.h"
 
 namespace obscura::app::explorer {
@@ -28,12 +29,6 @@ void RenderWorker::ask(ShotRequest request, bool stop) {
         if (stop) stop_ = true;
     }
     asked_.notify_all();
-}
-
-void RenderWorker::forget() {
-    const std::lock_guard lock(mutex_);
-    waiting_.reset();
-    stop_ = true;
 }
 
 RenderAnswers RenderWorker::take() {

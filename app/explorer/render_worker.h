@@ -35,8 +35,6 @@ class RenderWorker {
     /// What is under way goes on to the end of its image where `stop` is false; else it ends as
     /// soon as it can.
     void ask(ShotRequest request, bool stop);
-    /// Nothing more of what was asked for.
-    void forget();
     [[nodiscard]] bool busy() const { return busy_; }
     [[nodiscard]] RenderAnswers take();
     /// The driver's name and version; empty before the context is made.

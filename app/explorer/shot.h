@@ -31,6 +31,7 @@ struct ShotRequest {
     Choices choices;
     int divisor = 1;       ///< of the image's width and height
     bool buffers = false;  ///< also those beside the image
+    bool afresh = false;   ///< every pass runs, to be timed
     std::string sides;     ///< `a`, `b` or both, in this order
 };
 

@@ -190,7 +190,7 @@ void ViewArea::draw(Desk& desk, const Box& area) {
     ImGui::Begin("##view", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                     ImGuiWindowFlags_NoScrollWithMouse);
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse);
     const Layout& layout = desk.model.layout();
     const std::vector<Pane> panes = layout.visible(desk.now_s);
     if (layout.arrangement == Arrangement::kSplit) {

@@ -3,27 +3,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <map>
-
 #include "app/explorer/panels/fields.h"
 
 namespace obscura::app::explorer {
 namespace {
 
-/// Comparing a whole image takes tens of milliseconds, so its outcome is kept while nothing
-/// changes.
-struct Kept {
-    std::shared_ptr<const Shot> shot;
-    std::shared_ptr<const Truth> truth;
-    std::optional<Region> region;
-    double made_s = -1e9;
-    analysis::Possible<Comparison> outcome = analysis::Possible<Comparison>::none("nothing yet");
-};
-
 [[nodiscard]] const analysis::Possible<Comparison>& comparison_of(Desk& desk, char side) {
     constexpr double kOften_s = 0.7;
-    static std::map<char, Kept> all;
-    Kept& kept = all[side];
+    KeptComparison& kept = desk.state.comparisons[side];
     const auto shot = desk.model.buffers(side);
     const auto& truth = desk.model.truth();
     if (!shot || !truth) {

@@ -26,8 +26,8 @@ void file_menu(Desk& desk) {
         ImGui::EndMenu();
     }
     ImGui::Separator();
-    if (line("Save image (PNG)", Deed::kSaveImage)) desk.orders.save_image = "";
-    if (line("Save buffers (EXR)", Deed::kSaveBuffers)) desk.orders.save_buffers = "";
+    if (line("Save image (PNG)", Deed::kSaveImage)) desk.orders.save_image = true;
+    if (line("Save buffers (EXR)", Deed::kSaveBuffers)) desk.orders.save_buffers = true;
     if (line("Save into a study...", Deed::kSaveToStudy)) desk.state.study_dialog_open = true;
     ImGui::Separator();
     if (line("Quit", Deed::kQuit)) desk.orders.close = true;

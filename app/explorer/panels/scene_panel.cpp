@@ -86,6 +86,27 @@ void exposure_field(Desk& desk) {
     }
 }
 
+/// A file of light from all round; empty: the scene's own.
+void environment_field(Desk& desk) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("environment");
+    tooltip(
+        "A Radiance HDR or OpenEXR file, for the levels moderate and high; empty: the scene's own");
+    ImGui::TableNextColumn();
+    std::string& path = desk.state.environment;
+    if (!text_field("##environment", path, -1.0F)) return;
+    try {
+        if (!path.empty()) (void)renderer::load_environment(path);
+    } catch (const std::exception& error) {
+        desk.say(error.what(), true);
+        return;
+    }
+    const std::string whole = path.empty() ? "" : std::filesystem::absolute(path).string();
+    desk.model.change([&](Choices& to) { to.scene.settings.environment = whole; }, "", desk.now_s);
+}
+
 void size_fields(Desk& desk) {
     const Choices& choices = desk.model.choices();
     static const std::vector<std::string> kSizes{"640x360",   "960x540",   "1280x720",
@@ -144,6 +165,7 @@ void scene_panel(Desk& desk) {
         condition_menu(desk);
         camera_menu(desk);
         level_menu(desk);
+        environment_field(desk);
         exposure_field(desk);
         size_fields(desk);
         camera_fields(desk);

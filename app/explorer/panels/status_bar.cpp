@@ -40,7 +40,7 @@ void status_bar(Desk& desk, float height_px) {
     ImGui::Begin("##status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::TextUnformatted(state_of(desk).c_str());
     const std::string pixel =
         desk.state.pointer_px ? pixel_text(desk.model, *desk.state.pointer_px) : "";

@@ -37,7 +37,7 @@ void technique_menu(Desk& desk, char side, const Variant& variant) {
 }
 
 void preset_menu(Desk& desk, char side, const Variant& variant) {
-    const std::vector<Preset> presets = presets_of(variant.technique, desk.model.study());
+    const std::vector<Preset> presets = presets_of(variant, desk.model.study());
     std::vector<std::string> names;
     std::vector<std::string> meanings;
     std::string now = "own values";

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -139,7 +140,7 @@ TEST_F(ExplorerDriven, WhatIsSavedIntoAStudyIsRenderedToTheByteAsItIsSeen) {
     // Dropped: no tool makes X drop a file, so the callback is called as GLFW calls it.
     write_corner(folder_ / "dropped.glb");
     const std::string dropped = (folder_ / "dropped.glb").string();
-    const char* const path = dropped.c_str();
+    const char* path = dropped.c_str();
     GLFWwindow* const handle = explorer_->window().handle();
     const GLFWdropfun drop = glfwSetDropCallback(handle, nullptr);
     glfwSetDropCallback(handle, drop);

@@ -69,7 +69,9 @@ class ExplorerStudy : public testing::Test {
         }
         EXPECT_NE(message, "") << "nothing was refused";
         EXPECT_EQ(fs::exists(entry.file), exists);
-        if (exists) EXPECT_EQ(base::read_file(entry.file), before) << "the file was touched";
+        if (exists) {
+            EXPECT_EQ(base::read_file(entry.file), before) << "the file was touched";
+        }
         return message;
     }
 
