@@ -37,7 +37,12 @@ struct ExplorerWindow::Callbacks {
         ExplorerWindow& self = of(window);
         if (!self.first_input_s_) self.first_input_s_ = now_s();
     }
-    static void key(GLFWwindow* window, int, int, int, int) { note_input(window); }
+    static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
+        note_input(window);
+        if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) {
+            of(window).presses_.push_back({key, modifiers});
+        }
+    }
     static void pointer(GLFWwindow* window, double, double) { note_input(window); }
     static void button(GLFWwindow* window, int, int action, int) {
         note_input(window);
@@ -162,7 +167,34 @@ void ExplorerWindow::begin_frame(double wait_s) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    show_short_presses();
     ImGui::NewFrame();
+}
+
+void ExplorerWindow::show_short_presses() {
+    // Dear ImGui sees only what is down when a frame begins, and frames may be slow.
+    ImGuiIO& io = ImGui::GetIO();
+    const auto down = [&io](int left, int right) {
+        return io.KeysDown[left] || io.KeysDown[right];
+    };
+    const auto set_modifiers = [&](int more) {
+        io.KeyCtrl =
+            down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || (more & GLFW_MOD_CONTROL) != 0;
+        io.KeyShift =
+            down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) || (more & GLFW_MOD_SHIFT) != 0;
+        io.KeyAlt = down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) || (more & GLFW_MOD_ALT) != 0;
+    };
+    const bool had = !shown_.empty();
+    for (const int key : std::exchange(shown_, {})) io.KeysDown[key] = false;
+    if (had) set_modifiers(0);
+    int modifiers = 0;
+    for (const Press& press : std::exchange(presses_, {})) {
+        if (io.KeysDown[press.key]) continue;
+        io.KeysDown[press.key] = true;
+        shown_.push_back(press.key);
+        modifiers |= press.modifiers;
+    }
+    if (!shown_.empty()) set_modifiers(modifiers);
 }
 
 void ExplorerWindow::end_frame() {

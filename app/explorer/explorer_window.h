@@ -57,6 +57,14 @@ class ExplorerWindow {
     struct Callbacks;
     void load_fonts();
     [[nodiscard]] float screen_scale() const;
+    /// A key that went down and up since the last frame is down for this one.
+    void show_short_presses();
+
+    /// A key that went down.
+    struct Press {
+        int key = 0;
+        int modifiers = 0;  ///< GLFW_MOD_...
+    };
 
     GLFWwindow* window_ = nullptr;
     window::Fonts fonts_;
@@ -64,6 +72,8 @@ class ExplorerWindow {
     float wanted_text_scale_ = 1.0F;
     float screen_scale_ = 0.0F;  ///< that the fonts were made for
     std::vector<std::string> dropped_;
+    std::vector<Press> presses_;  ///< since the last frame
+    std::vector<int> shown_;      ///< keys that are down for this frame alone
     std::optional<double> first_input_s_;
 };
 

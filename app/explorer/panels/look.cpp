@@ -37,8 +37,9 @@ void set_look(float text_px) {
     colours[ImGuiCol_FrameBgHovered] = kFieldHovered;
     colours[ImGuiCol_FrameBgActive] = kFieldHovered;
     colours[ImGuiCol_CheckMark] = kAccent;
-    colours[ImGuiCol_SliderGrab] = kAccent;
-    colours[ImGuiCol_SliderGrabActive] = kAccentPressed;
+    // The number is read through it.
+    colours[ImGuiCol_SliderGrab] = {kAccent.x, kAccent.y, kAccent.z, 0.35F};
+    colours[ImGuiCol_SliderGrabActive] = {kAccent.x, kAccent.y, kAccent.z, 0.5F};
     colours[ImGuiCol_Button] = kQuiet;
     colours[ImGuiCol_ButtonHovered] = kQuietHovered;
     colours[ImGuiCol_ButtonActive] = kQuietPressed;

@@ -40,7 +40,7 @@ void condition_menu(Desk& desk) {
     if (chosen) desk.orders.condition = *chosen;
 }
 
-void camera_menu(Desk& desk) {
+void camera_field(Desk& desk) {
     if (!desk.model.scene()) return;
     std::vector<std::string> names;
     for (const renderer::Camera& camera : desk.model.scene()->opened().scene->cameras) {
@@ -163,7 +163,7 @@ void scene_panel(Desk& desk) {
     if (begin_fields("scene")) {
         source_menu(desk);
         condition_menu(desk);
-        camera_menu(desk);
+        camera_field(desk);
         level_menu(desk);
         environment_field(desk);
         exposure_field(desk);

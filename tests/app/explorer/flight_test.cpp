@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "renderer/base/random.h"
-#include "renderer/frame/camera.h"
+#include "renderer/scene/camera.h"
 
 namespace obscura::app::explorer {
 namespace {
