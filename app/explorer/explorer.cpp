@@ -65,8 +65,12 @@ Explorer::Explorer(ExploreOptions options)
 Explorer::~Explorer() {
     try {
         const WindowSize size = window_.size();
-        const std::string what =
-            model_.study() ? model_.study()->name : model_.choices().scene.source;
+        std::string what = model_.choices().scene.source;
+        if (model_.study()) what = model_.study()->name;
+        // The next start may be from another folder.
+        if (model_.study() && !model_.study()->file.empty()) {
+            what = std::filesystem::absolute(model_.study()->file).string();
+        }
         save_remembered(options_.data, {size.width, size.height, what, state_.text_scale,
                                         state_.panels, model_.layout()});
     } catch (const std::exception& error) {

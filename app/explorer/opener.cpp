@@ -75,7 +75,9 @@ void Opener::work(const std::stop_token& ended) {
         std::uint64_t number = 0;
         {
             std::unique_lock lock(mutex_);
-            if (!asked_.wait(lock, ended, [this] { return waiting_.has_value(); })) return;
+            asked_.wait(lock, ended, [this] { return waiting_.has_value(); });
+            // With work left, too.
+            if (ended.stop_requested()) return;
             opening = std::move(*waiting_);
             waiting_.reset();
             number = number_;

@@ -77,7 +77,9 @@ void RenderWorker::work_in_context(const std::stop_token& ended) {
         {
             std::unique_lock lock(mutex_);
             if (!waiting_) busy_ = false;
-            if (!asked_.wait(lock, ended, [this] { return waiting_.has_value(); })) return;
+            asked_.wait(lock, ended, [this] { return waiting_.has_value(); });
+            // With work left, too.
+            if (ended.stop_requested()) return;
             request = std::move(*waiting_);
             waiting_.reset();
             busy_ = true;

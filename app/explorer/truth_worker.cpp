@@ -121,7 +121,9 @@ void TruthWorker::work(const std::stop_token& ended) {
         {
             std::unique_lock lock(mutex_);
             const auto wanted = [this] { return request_ != nullptr && !paused_; };
-            if (!asked_.wait(lock, ended, wanted)) return;
+            asked_.wait(lock, ended, wanted);
+            // With work left, too.
+            if (ended.stop_requested()) return;
             request = request_;
             truth = truth_;
             tile = truth->take_tile(focus_x_, focus_y_);

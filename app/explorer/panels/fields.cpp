@@ -71,8 +71,11 @@ void name_cell(const std::string& name, const std::string& tip, bool differs) {
                                             float width_px) {
     PanelState& state = desk.state;
     double value = field.value;
+    // A long unit leaves no room for the number; the tooltip has it.
+    constexpr std::size_t kShort = 4;
+    const bool short_unit = !field.unit.empty() && field.unit.size() <= kShort;
     const std::string form =
-        (field.whole ? "%.0f" : "%.4g") + (field.unit.empty() ? "" : " " + field.unit);
+        (field.whole ? "%.0f" : "%.4g") + (short_unit ? " " + field.unit : std::string());
     ImGui::SetNextItemWidth(width_px);
     const bool changed = ImGui::SliderScalar(
         "##slider", ImGuiDataType_Double, &value, &field.low, &field.high, form.c_str(),

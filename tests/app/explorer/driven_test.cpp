@@ -200,7 +200,6 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     base::write_file_atomically(folder_ / "picture.png", "no picture");
     for (const char* name : {"zeros.glb", "picture.png", "gone.obj"}) {
         const std::size_t before = explorer_->state().messages.size();
-        Orders orders;
         try {
             explorer_->open((folder_ / name).string());
         } catch (const std::exception&) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "app/explorer/colour_scale.h"
 #include "app/explorer/history.h"
@@ -13,6 +14,8 @@
 #include "app/explorer/panels/fields.h"
 #include "app/explorer/remembered.h"
 #include "app/explorer/truth.h"
+#include "app/explorer/truth_worker.h"
+#include "tests/app/explorer/made_model.h"
 
 namespace obscura::app::explorer {
 namespace {
@@ -185,6 +188,50 @@ TEST(ExplorerTruth, ItEndsAfterItsMostRays) {
     }
     EXPECT_FALSE(truth.take_tile(0.0, 0.0));
     EXPECT_TRUE(truth.done());
+}
+
+TEST(ExplorerTruth, TheThreadsEndThoughMostOfTheirWorkIsLeft) {
+    TruthWorker worker([] {}, 2);
+    const auto scene = made_wall();
+    // Billions of rays: nobody would wait for them.
+    worker.start({1, scene, scene->opened().scene->cameras.front(), 2048, 2048, 0.5});
+    while (!worker.snapshot(1)) std::this_thread::yield();
+    EXPECT_LT(worker.snapshot(1)->mean_rays(), Truth::kRaysOfRound);
+    EXPECT_FALSE(worker.snapshot(2)) << "it is of another view";
+}
+
+/// The wall, and a floor before it.
+std::shared_ptr<LoadedScene> wall_and_floor() {
+    stimuli::OpenedScene opened = made_wall()->opened();
+    renderer::Scene scene = *opened.scene;
+    renderer::Mesh floor = scene.meshes.front();
+    floor.vertices[0].position_m = {-2.0F, -0.2F, 0.0F};
+    floor.vertices[1].position_m = {0.0F, -0.2F, 3.0F};
+    floor.vertices[2].position_m = {2.0F, -0.2F, 0.0F};
+    scene.meshes.push_back(floor);
+    opened.scene = std::make_shared<renderer::Scene>(std::move(scene));
+    return std::make_shared<LoadedScene>(std::move(opened));
+}
+
+TEST(ExplorerTruth, ItIsTheReferencesWithinBothStandardErrors) {
+    const auto scene = wall_and_floor();
+    const renderer::Camera& camera = scene->opened().scene->cameras.front();
+    TruthWorker worker([] {}, 2);
+    worker.start({7, scene, camera, 32, 18, 0.5});
+    while (!worker.snapshot(7) || worker.snapshot(7)->least_rays() < 256) std::this_thread::yield();
+    const auto truth = worker.snapshot(7);
+    renderer::ReferenceOptions options;
+    options.radius_m = 0.5;
+    options.rays = 1024;
+    options.seed = 4242;
+    const auto reference = scene->rays().trace(camera, 32, 18, options);
+    int occluded = 0;
+    for (std::size_t i = 0; i < reference.accessibility.size(); ++i) {
+        const double error = std::hypot(truth->standard_error(i), reference.standard_error[i]);
+        EXPECT_NEAR(truth->accessibility(i), reference.accessibility[i], 5.0 * error + 1e-6) << i;
+        occluded += reference.accessibility[i] < 0.95F ? 1 : 0;
+    }
+    EXPECT_GT(occluded, 20) << "the scene shows a corner";
 }
 
 TEST(ExplorerFields, WhatIsTypedMustBeANumberOfTheRange) {

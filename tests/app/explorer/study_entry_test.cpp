@@ -162,9 +162,6 @@ TEST_F(ExplorerStudy, WhatAStudyWouldBeRefusedForIsSaidWithItsLine) {
     one = entry();
     one.file = folder_ / "mine.txt";
     EXPECT_THAT(refusal(model, one), HasSubstr(".toml"));
-    one = entry();
-    one.file = folder_;
-    EXPECT_THAT(refusal(model, one), HasSubstr(".toml"));
     base::write_file_atomically(file_, "[study\n");
     one = entry();
     EXPECT_THAT(refusal(model, one), HasSubstr("mine.toml:"));
