@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/commands/list.h"
+#include "app/commands/manual.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/scenes/open_scene.h"
@@ -66,10 +67,23 @@ int run(int argc, char** argv) {
         .repeatable();
     program.add_flag("--quiet", globals.quiet, "Say only warnings and errors");
 
+    bool wants_manual = false;
+    std::string shell;
+    program.add("--completion", shell, "Print what a shell needs to complete words, and exit")
+        .one_of(obscura::app::known_shells());
+    program.add_flag("--manual", wants_manual, "Print the manual page (troff), and exit");
+
     std::function<ExitCode()> chosen;
     for (const obscura::app::Command& command : obscura::app::commands()) {
         const obscura::app::Options options = program.add_command(command.name, command.summary);
         options.when_given([&chosen, act = command.attach(options, globals)] { chosen = act; });
+    }
+    // These two need no command, which all else does.
+    if (const std::string text =
+            obscura::app::manual_or_completion({argv + 1, argv + argc}, line.described());
+        !text.empty()) {
+        std::fputs(text.c_str(), stdout);
+        return static_cast<int>(ExitCode::kDone);
     }
     name_unknown_command(argc, argv);
     if (!line.parse({argv + 1, argv + argc})) return static_cast<int>(ExitCode::kDone);
