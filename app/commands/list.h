@@ -17,6 +17,7 @@ Command check_command();
 Command explore_command();
 Command export_command();
 Command measure_command();
+Command new_command();
 Command plan_command();
 Command power_command();
 Command rehearse_command();
