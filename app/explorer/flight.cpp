@@ -62,8 +62,11 @@ struct Heading {
                                       const Heading& heading) {
     renderer::Camera camera = like;
     camera.name = stimuli::kStudyCamera;
-    camera.position_m = glm::clamp(position_m, -kFarthest_m, kFarthest_m);
-    camera.target_m = glm::clamp(target_of(camera.position_m, heading), -kFarthest_m, kFarthest_m);
+    // Within what a study file may say, and with room for the target, so that the two never meet.
+    camera.position_m = glm::clamp(position_m, -0.9F * kFarthest_m, 0.9F * kFarthest_m);
+    Heading near = heading;
+    near.distance_m = std::min(heading.distance_m, 0.1F * kFarthest_m);
+    camera.target_m = target_of(camera.position_m, near);
     camera.up = kUp;
     camera.lens_shift = glm::vec2(0.0F);
     return camera;
