@@ -162,7 +162,10 @@ TEST_F(ExplorerDriven, WhatIsSavedIntoAStudyIsRenderedToTheByteAsItIsSeen) {
     frames(2);
     EXPECT_TRUE(model().choices().b.parameters.contains("radius_m"));
     // Flown to a view of its own.
-    display_.hold("w", 0.2);
+    display_.tool({"xdotool", "keydown", "w"});
+    frames(4);
+    display_.tool({"xdotool", "keyup", "w"});
+    frames(4);
     ASSERT_TRUE(wait_for_images());
     EXPECT_EQ(model().view().name, "");
     ASSERT_TRUE(wait_until([&] { return model().truth() && model().truth()->least_rays() > 0; }));
