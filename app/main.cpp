@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/commands/list.h"
 #include "app/commands/manual.h"
@@ -34,20 +35,30 @@ void refuse_empty_values(int argc, char** argv) {
 }
 
 /// The first word that is neither an option nor a command is most often a command misspelt.
-void name_unknown_command(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word == "--data" || word == "--allow") {
+void name_unknown_command(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--data" || words[i] == "--allow") {
             ++i;
-        } else if (!word.starts_with("-")) {
+        } else if (!words[i].starts_with("-")) {
             std::string known;
             for (const obscura::app::Command& command : obscura::app::commands()) {
-                if (command.name == word) return;
+                if (command.name == words[i]) return;
                 known += (known.empty() ? "" : ", ") + command.name;
             }
-            throw obscura::base::bad_input("there is no command \"{}\"; there are {}", word, known);
+            throw obscura::base::bad_input("there is no command \"{}\"; there are {}", words[i],
+                                           known);
         }
     }
+}
+
+/// `help` and `help COMMAND` as `--help` and `COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    return words;
 }
 
 int run(int argc, char** argv) {
@@ -79,14 +90,14 @@ int run(int argc, char** argv) {
         options.when_given([&chosen, act = command.attach(options, globals)] { chosen = act; });
     }
     // These two need no command, which all else does.
-    if (const std::string text =
-            obscura::app::manual_or_completion({argv + 1, argv + argc}, line.described());
+    const std::vector<std::string> words = words_of(argc, argv);
+    if (const std::string text = obscura::app::manual_or_completion(words, line.described());
         !text.empty()) {
         std::fputs(text.c_str(), stdout);
         return static_cast<int>(ExitCode::kDone);
     }
-    name_unknown_command(argc, argv);
-    if (!line.parse({argv + 1, argv + argc})) return static_cast<int>(ExitCode::kDone);
+    name_unknown_command(words);
+    if (!line.parse(words)) return static_cast<int>(ExitCode::kDone);
     obscura::base::log::set_up(globals.quiet);
     obscura::stimuli::allow_folders(globals.allowed);
     const ExitCode code = chosen();

@@ -23,6 +23,15 @@ TEST(Manual, NamesEveryCommandAndTheOptionsThatItsHelpNames) {
     EXPECT_THAT(manual, HasSubstr(".SS scene export\n"));
 }
 
+TEST(Manual, HelpOfACommandIsAskedForInEitherOrder) {
+    const tests::TemporaryFolder folder;
+    const std::string help = run_program(folder, "scene export --help").out;
+    EXPECT_THAT(help, HasSubstr("--scale"));
+    EXPECT_EQ(run_program(folder, "help scene export").out, help);
+    EXPECT_EQ(run_program(folder, "help").out, run_program(folder, "--help").out);
+    EXPECT_EQ(run_program(folder, "help nothing").exit_code, 2);
+}
+
 TEST(Manual, CompletionOfAShellOffersCommandsAndTheirOptions) {
     const tests::TemporaryFolder folder;
     base::write_file_atomically(folder / "complete.bash",
