@@ -25,7 +25,8 @@ std::string kind_words(ShareIntervalKind kind) {
         case ShareIntervalKind::kEachOnce:
             return "Clopper-Pearson, each participant counted once";
         case ShareIntervalKind::kCounts:
-            return "Clopper-Pearson, each participant counted once because the votes of one may be alike";
+            return "Clopper-Pearson, each participant counted once because the votes of one may be "
+                   "alike";
     }
     return "";
 }
