@@ -23,7 +23,7 @@ void add_scales(ReportDraft& draft) {
         "unit "
         "is the just objectionable difference (JOD): a variant 1 JOD above another is chosen over "
         "it "
-        "by 75 %. It takes every answer as independent of the others.");
+        "by 75 %.");
     int number = 0;
     for (const VariantScale& scale : analysis.scales) {
         ++number;
