@@ -10,9 +10,9 @@
 #include <cmath>
 
 #include "app/explorer/cost_text.h"
+#include "app/explorer/fields.h"
 #include "app/explorer/flight.h"
 #include "app/explorer/keys.h"
-#include "app/explorer/panels/fields.h"
 #include "app/window/letters.h"
 
 namespace obscura::app::explorer {

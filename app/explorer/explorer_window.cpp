@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/explorer/panels/look.h"
+#include "app/explorer/look.h"
 #include "app/window/glfw.h"
 
 namespace obscura::app::explorer {

@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include "app/explorer/cost_text.h"
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 
 namespace obscura::app::explorer {
 namespace {

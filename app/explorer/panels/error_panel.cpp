@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 
 namespace obscura::app::explorer {
 namespace {

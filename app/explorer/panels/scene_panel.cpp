@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "app/explorer/fields.h"
 #include "app/explorer/flight.h"
-#include "app/explorer/panels/fields.h"
 #include "stimuli/scenes/builtin_scene.h"
 
 namespace obscura::app::explorer {

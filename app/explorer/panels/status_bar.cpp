@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include "app/explorer/desk.h"
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 #include "app/explorer/pixel_text.h"
 #include "app/window/theme.h"
 

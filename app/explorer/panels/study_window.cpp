@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 #include "app/explorer/study_entry.h"
 #include "app/window/theme.h"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 #include "app/explorer/presets.h"
 #include "renderer/denoise/denoise.h"
 

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "app/explorer/colour_scale.h"
+#include "app/explorer/fields.h"
 #include "app/explorer/history.h"
 #include "app/explorer/layout.h"
 #include "app/explorer/pacer.h"
-#include "app/explorer/panels/fields.h"
 #include "app/explorer/remembered.h"
 #include "app/explorer/truth.h"
 #include "app/explorer/truth_worker.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/explorer/panels/look.h"
+#include "app/explorer/look.h"
 
 #include <imgui.h>
 

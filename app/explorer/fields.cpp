@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/explorer/panels/fields.h"
+#include "app/explorer/fields.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
