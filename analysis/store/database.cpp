@@ -189,8 +189,8 @@ void Database::take_up_connection() {
 bool Database::asks_to_try_again(const soci::soci_error& error) {
     const auto* of_server = dynamic_cast<const soci::postgresql_soci_error*>(&error);
     if (of_server == nullptr) return false;
-    // serialization_failure, deadlock_detected, and unique_violation: what another has just taken is
-    // refused in words at the next try (PostgreSQL 15, 13.5)
+    // serialization_failure, deadlock_detected, and unique_violation: what another has just taken
+    // is refused in words at the next try (PostgreSQL 15, 13.5)
     const std::string state = of_server->sqlstate();
     return state == "40001" || state == "40P01" || state == "23505";
 }
