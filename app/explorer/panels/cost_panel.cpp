@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cfloat>
+
 #include "app/explorer/cost_text.h"
 #include "app/explorer/fields.h"
 
@@ -25,9 +28,10 @@ void passes(const Desk& desk, char side) {
             ImGui::Text("%.2f ms", cost.median_ms);
             tooltip(fmt::format("of {} images", cost.history_ms.size()));
             ImGui::TableNextColumn();
-            ImGui::PlotLines("##history", cost.history_ms.data(),
-                             static_cast<int>(cost.history_ms.size()), 0, nullptr, 0.0F, FLT_MAX,
-                             {-1.0F, ImGui::GetFontSize()});
+            ImGui::PlotLines(
+                "##history", cost.history_ms.data(), static_cast<int>(cost.history_ms.size()), 0,
+                nullptr, 0.0F, FLT_MAX,
+                {std::max(1.0F, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize()});
         }
         ImGui::EndTable();
     }

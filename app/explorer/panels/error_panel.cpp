@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cfloat>
+
 #include "app/explorer/fields.h"
 
 namespace obscura::app::explorer {
@@ -135,9 +138,11 @@ void error_panel(Desk& desk) {
             continue;
         }
         const auto& bins = (*outcome)->histogram;
+        const float room =
+            std::max(1.0F, ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetFontSize());
         ImGui::PlotHistogram(fmt::format("{}##histogram", name).c_str(), bins.data(),
                              static_cast<int>(bins.size()), 0, "errors from -1 to 1", 0.0F, FLT_MAX,
-                             {-2.0F * ImGui::GetFontSize(), 4.0F * ImGui::GetFontSize()});
+                             {room, 4.0F * ImGui::GetFontSize()});
     }
 }
 
