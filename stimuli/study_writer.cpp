@@ -11,20 +11,11 @@
 
 #include "renderer/base/error.h"
 #include "stimuli/scenes/open_scene.h"
+#include "stimuli/study_text.h"
 #include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
 namespace {
-
-/// As TOML writes a string on one line.
-std::string quoted(const std::string& text) {
-    std::string safe = "\"";
-    for (const char letter : text) {
-        if (letter == '"' || letter == '\\') safe += '\\';
-        safe += letter;
-    }
-    return safe + '"';
-}
 
 /// Where a line and column of the text are; both count from 1. Columns count code points.
 std::size_t offset_of(std::string_view text, const toml::source_position& position) {
@@ -99,17 +90,20 @@ void change_side(std::string_view text, const toml::table& side, const VariantCh
     if (!added.text.empty()) replacements.push_back(added);
 }
 
-std::string path_from(const std::filesystem::path& to, const std::filesystem::path& file) {
-    namespace fs = std::filesystem;
-    const auto whole = [](const fs::path& path) {
-        return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
-    };
-    const fs::path target = whole(file);
-    const fs::path relative = target.lexically_relative(whole(to));
-    return (relative.empty() ? target : relative).generic_string();
-}
-
 }  // namespace
+
+std::string quoted(const std::string& text) {
+    std::string safe = "\"";
+    for (const char letter : text) {
+        if (letter == '"' || letter == '\\') safe += '\\';
+        if (static_cast<unsigned char>(letter) < 0x20U) {
+            safe += fmt::format("\\u{:04x}", static_cast<int>(letter));
+        } else {
+            safe += letter;
+        }
+    }
+    return safe + '"';
+}
 
 std::string with_variants(std::string_view text, const std::string& name,
                           const std::vector<VariantChange>& changes) {
@@ -129,6 +123,24 @@ std::string with_variants(std::string_view text, const std::string& name,
                                   change.side, change.condition);
         }
         change_side(text, *side, change, replacements);
+    }
+    return replaced(text, std::move(replacements));
+}
+
+std::string with_sides(std::string_view text, const std::string& name, const std::string& condition,
+                       const renderer::Variant& a, const renderer::Variant& b) {
+    const toml::table study = parsed(text, name);
+    const toml::table* table = find_condition(study, condition);
+    std::vector<Replacement> replacements;
+    for (const auto& [side, variant] : {std::pair{"a", &a}, {"b", &b}}) {
+        const toml::table* now = table == nullptr ? nullptr : (*table)[side].as_table();
+        if (now == nullptr || !now->is_inline()) {
+            throw base::bad_input(
+                "{}: condition \"{}\" has no side {} that can be replaced, allowed is an inline "
+                "table: {} = {{ technique = ... }}",
+                name, condition, side, side);
+        }
+        replacements.push_back(in_place_of(text, *now, to_toml(*variant)));
     }
     return replaced(text, std::move(replacements));
 }
@@ -153,6 +165,16 @@ std::string with_paths_from(std::string_view text, const std::string& name,
         }
     }
     return replaced(text, std::move(replacements));
+}
+
+std::string path_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
+    };
+    const fs::path target = whole(file);
+    const fs::path relative = target.lexically_relative(whole(folder));
+    return (relative.empty() ? target : relative).generic_string();
 }
 
 }  // namespace obscura::stimuli

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stimuli/study.h"
+
 namespace obscura::stimuli {
 
 /// Parameters of one side of a condition as they are to become.
@@ -31,5 +33,29 @@ struct VariantChange {
 [[nodiscard]] std::string with_paths_from(std::string_view text, const std::string& name,
                                           const std::filesystem::path& from,
                                           const std::filesystem::path& to);
+
+/// The text with a [[scene]] table behind everything else that SceneReader reads as that scene:
+/// numbers are written so that they come back to the bit, where the file's words can say them.
+/// Paths of `scene` are as they are to be written.
+[[nodiscard]] std::string with_scene(std::string_view text, const StudyScene& scene);
+
+/// The text with a [[condition]] table behind everything else; only id, scene and sides are
+/// written.
+[[nodiscard]] std::string with_condition(std::string_view text, const Condition& condition);
+
+/// The text with both sides of a condition in place of those that it has. Throws bad input as
+/// with_variants does, and where a side is no inline table.
+[[nodiscard]] std::string with_sides(std::string_view text, const std::string& name,
+                                     const std::string& condition, const renderer::Variant& a,
+                                     const renderer::Variant& b);
+
+/// A study that has neither scenes nor conditions yet, with a comment at each place where its
+/// author has to decide something; its one-condition order is `fixed`.
+[[nodiscard]] std::string new_study(const std::string& name, int width, int height,
+                                    int supersampling);
+
+/// A file's path as it is written in a study that lies in `folder`.
+[[nodiscard]] std::string path_from(const std::filesystem::path& folder,
+                                    const std::filesystem::path& file);
 
 }  // namespace obscura::stimuli

@@ -14,6 +14,7 @@ Command ao_command();
 Command demo_command();
 Command run_command();
 Command check_command();
+Command explore_command();
 Command export_command();
 Command measure_command();
 Command new_command();

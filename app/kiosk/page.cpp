@@ -14,7 +14,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/kiosk/letters.h"
+#include "app/window/letters.h"
 #include "app/kiosk/widgets.h"
 
 namespace obscura::app::kiosk {
@@ -234,7 +234,7 @@ bool key_pressed(int key) {
 
 bool enter_pressed() { return key_pressed(GLFW_KEY_ENTER) || key_pressed(GLFW_KEY_KP_ENTER); }
 
-bool letter_pressed(char letter) { return key_pressed(key_of_letter(letter)); }
+bool letter_pressed(char letter) { return key_pressed(window::key_of_letter(letter)); }
 
 void focus_next() { page_state().focus_next = true; }
 

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "app/kiosk/clock.h"
-#include "app/kiosk/letters.h"
+#include "app/window/letters.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 
@@ -36,7 +36,8 @@ constexpr double kImageWait_s = 0.5;
         {"page-up", GLFW_KEY_PAGE_UP}, {"page-down", GLFW_KEY_PAGE_DOWN}};
     if (const auto named = kNamed.find(name); named != kNamed.end()) return named->second;
     const char letter = name.at(0);
-    return letter >= '0' && letter <= '9' ? GLFW_KEY_0 + (letter - '0') : key_of_letter(letter);
+    return letter >= '0' && letter <= '9' ? GLFW_KEY_0 + (letter - '0')
+                                          : window::key_of_letter(letter);
 }
 
 [[nodiscard]] bool advances(const KeyPress& press, const stimuli::Study& study) {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/kiosk/clock.h"
-#include "app/kiosk/letters.h"
+#include "app/window/letters.h"
 #include "renderer/base/log.h"
 
 namespace obscura::app::kiosk {
@@ -59,7 +59,7 @@ template <typename Choice>
 
 bool is_operators_key(const KeyPress& press, char letter) {
     constexpr int kBoth = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
-    return (press.modifiers & kBoth) == kBoth && press.key == key_of_letter(letter);
+    return (press.modifiers & kBoth) == kBoth && press.key == window::key_of_letter(letter);
 }
 
 void draw_first_frame(Ui& ui, const std::function<void()>& page) {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "app/kiosk/clock.h"
-#include "app/kiosk/letters.h"
+#include "app/window/letters.h"
 #include "app/kiosk/stage.h"
 #include "app/kiosk/window.h"
 #include "app/window/theme.h"
@@ -161,25 +161,25 @@ TEST(Letters, AreWhatTheKeysTypeNotWhereTheyAre) {
     const auto become = [&display](Window& window, const char* layout, int key_of_q) {
         display.tool({"setxkbmap", layout});
         const double end_s = monotonic_s() + kPatience_s;
-        while (key_of_letter('q') != key_of_q && monotonic_s() < end_s) {
+        while (window::key_of_letter('q') != key_of_q && monotonic_s() < end_s) {
             window.wait_for_events(0.02);
             (void)window.sight();
         }
-        EXPECT_EQ(key_of_letter('q'), key_of_q) << layout;
+        EXPECT_EQ(window::key_of_letter('q'), key_of_q) << layout;
     };
     {
         Window window({0, false, {64, 64}});
-        EXPECT_EQ(key_of_letter('q'), GLFW_KEY_Q);
-        EXPECT_EQ(key_of_letter('l'), GLFW_KEY_L);
+        EXPECT_EQ(window::key_of_letter('q'), GLFW_KEY_Q);
+        EXPECT_EQ(window::key_of_letter('l'), GLFW_KEY_L);
         become(window, "fr", GLFW_KEY_A);
-        EXPECT_EQ(key_of_letter('a'), GLFW_KEY_Q);
-        EXPECT_EQ(key_of_letter('l'), GLFW_KEY_L);
+        EXPECT_EQ(window::key_of_letter('a'), GLFW_KEY_Q);
+        EXPECT_EQ(window::key_of_letter('l'), GLFW_KEY_L);
         become(window, "ru", GLFW_KEY_Q);  // no key types it: by its place
         become(window, "dvorak", GLFW_KEY_X);
-        EXPECT_EQ(key_of_letter('l'), GLFW_KEY_P);
+        EXPECT_EQ(window::key_of_letter('l'), GLFW_KEY_P);
     }
     const Window window({0, false, {64, 64}});
-    EXPECT_EQ(key_of_letter('q'), GLFW_KEY_X) << "a layout that was there before the window";
+    EXPECT_EQ(window::key_of_letter('q'), GLFW_KEY_X) << "a layout that was there before the window";
 }
 
 TEST(Saving, APageStandsOnTheScreenWhileTheStoreTakesItsTime) {

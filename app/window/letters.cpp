@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/kiosk/letters.h"
+#include "app/window/letters.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <string_view>
 
-namespace obscura::app::kiosk {
+namespace obscura::app::window {
 
 int key_of_letter(char letter) {
     const std::string_view wanted(&letter, 1);
@@ -18,4 +18,4 @@ int key_of_letter(char letter) {
     return GLFW_KEY_A + (letter - 'a');
 }
 
-}  // namespace obscura::app::kiosk
+}  // namespace obscura::app::window

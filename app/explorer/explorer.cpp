@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/explorer/explorer.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/explorer/controls.h"
+#include "app/explorer/flight.h"
+#include "app/explorer/remembered.h"
+#include "app/explorer/starting_point.h"
+#include "app/explorer/study_entry.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "stimuli/png.h"
+
+namespace obscura::app::explorer {
+namespace {
+
+constexpr double kLivelyWait_s = 1.0 / 60.0;
+constexpr double kIdleWait_s = 0.25;
+
+[[nodiscard]] Remembered remembered_for(const ExploreOptions& options) {
+    if (options.reset) return {};
+    return load_remembered(options.data).value_or(Remembered{});
+}
+
+[[nodiscard]] std::optional<WindowSize> window_for(const ExploreOptions& options) {
+    if (options.window) return options.window;
+    const Remembered remembered = remembered_for(options);
+    if (remembered.window_width < 1 || remembered.window_height < 1) return std::nullopt;
+    return WindowSize{remembered.window_width, remembered.window_height};
+}
+
+}  // namespace
+
+Explorer::Explorer(ExploreOptions options)
+    : options_(std::move(options)),
+      window_(window_for(options_)),
+      model_(Choices{}),
+      renderer_(&ExplorerWindow::wake),
+      tracer_(&ExplorerWindow::wake),
+      opener_(&ExplorerWindow::wake) {
+    const Remembered remembered = remembered_for(options_);
+    state_.panels = remembered.panels;
+    state_.text_scale = remembered.text_scale;
+    model_.set_layout(remembered.layout, window_.now_s());
+    frame_s_ = window_.now_s();
+    if (!options_.what.empty()) {
+        open(options_.what);
+        return;
+    }
+    try {
+        open(remembered.what.empty() ? "atrium" : remembered.what);
+    } catch (const base::Error& error) {
+        say(error.what(), true);
+        open("atrium");
+    }
+}
+
+Explorer::~Explorer() {
+    try {
+        const WindowSize size = window_.size();
+        std::string what = model_.choices().scene.source;
+        if (model_.study()) what = model_.study()->name;
+        // The next start may be from another folder.
+        if (model_.study() && !model_.study()->file.empty()) {
+            what = std::filesystem::absolute(model_.study()->file).string();
+        }
+        save_remembered(options_.data, {size.width, size.height, what, state_.text_scale,
+                                        state_.panels, model_.layout()});
+    } catch (const std::exception& error) {
+        base::log::warn("what is remembered could not be saved: {}", error.what());
+    }
+}
+
+void Explorer::say(std::string text, bool problem) {
+    if (problem) base::log::warn("{}", text);
+    state_.messages.push_back({std::move(text), problem, window_.now_s()});
+}
+
+bool Explorer::at_rest() const {
+    return opener_.under_way().empty() && !renderer_.busy() && !waiting_image_ && !waiting_buffers_;
+}
+
+void Explorer::open(const std::string& what) {
+    StartingPoint start = starting_point(what, model_.choices());
+    if (options_.image) {
+        start.choices.width = options_.image->width;
+        start.choices.height = options_.image->height;
+    }
+    model_.set_study(std::move(start.study));
+    own_camera_ = start.own_camera;
+    opener_.open(std::move(start.choices), start.camera, false);
+}
+
+void Explorer::show_condition(const std::string& id) {
+    if (!model_.study() || model_.study()->study.find_condition(id) == nullptr) return;
+    const StartingPoint start = starting_point(*model_.study(), id, model_.choices());
+    own_camera_ = start.own_camera;
+    opener_.open(start.choices, start.camera, false);
+}
+
+void Explorer::take_results() {
+    const double now_s = window_.now_s();
+    if (auto opened = opener_.take()) {
+        if (!opened->scene) {
+            say(fmt::format("{}; allowed are .gltf, .glb and .obj files and studies (.toml)",
+                            opened->problem),
+                true);
+        }
+        const bool there = opened->scene != nullptr;
+        model_.opened(std::move(*opened), now_s);
+        if (there) {
+            if (own_camera_) model_.look_from(*own_camera_, now_s);
+            own_camera_.reset();
+            state_.speed_m_s = usual_speed_m_s(model_.scene()->bounds());
+            window_.set_title("Obscura: " + model_.choices().scene.source);
+        }
+    }
+    RenderAnswers answers = renderer_.take();
+    for (Shot& shot : answers.shots) model_.rendered(std::move(shot), now_s);
+    for (std::string& problem : answers.problems) say(std::move(problem), true);
+    if (std::string problem = tracer_.take_problem(); !problem.empty()) say(problem, true);
+    // A copy of all pixels is not made for every frame.
+    constexpr double kTruthEvery_s = 0.4;
+    if (now_s - truth_s_ > kTruthEvery_s) {
+        truth_s_ = now_s;
+        model_.set_truth(tracer_.snapshot(model_.truth_look()));
+    }
+    if (!renderer_.device().empty() && software_ != renderer_.software()) {
+        software_ = renderer_.software();
+        model_.set_software(software_);
+    }
+}
+
+void Explorer::ask_for_work() {
+    const double now_s = window_.now_s();
+    if (auto wanted = model_.take_wanted_scene()) opener_.open(*wanted, "", true);
+    if (auto wanted = model_.next_request(now_s, renderer_.busy())) {
+        renderer_.ask(std::move(wanted->request), wanted->stop);
+    }
+    tracer_.pause(model_.truth_waits(now_s, renderer_.busy()));
+    if (auto wanted = model_.next_truth(now_s)) tracer_.start(std::move(*wanted));
+    if (state_.pointer_px) tracer_.focus(state_.pointer_px->x, state_.pointer_px->y);
+    if (!model_.moving(now_s)) model_.visit();
+}
+
+void Explorer::draw_side_panel(Desk& desk, const Box& box) {
+    ImGui::SetNextWindowPos({box.low.x, box.low.y});
+    ImGui::SetNextWindowSize({box.size().x, box.size().y});
+    ImGui::Begin("##side", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    const auto section = [](const char* name, bool open) {
+        return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    };
+    if (section("Scene", true)) scene_panel(desk);
+    if (section("View", true)) view_panel(desk);
+    if (section("A", true)) technique_panel(desk, 'a');
+    if (section("B", true)) technique_panel(desk, 'b');
+    if (section("Error", true)) error_panel(desk);
+    if (section("Cost", false)) cost_panel(desk);
+    ImGui::End();
+}
+
+void Explorer::draw(Desk& desk) {
+    menu_bar(desk);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float text = ImGui::GetFontSize();
+    const float menu = ImGui::GetFrameHeight();
+    const float status = std::min(5.2F * text, 0.5F * screen.y);
+    const bool roomy = screen.x > 40.0F * text && screen.y > 12.0F * text;
+    const float side = state_.panels && roomy ? std::min(25.0F * text, 0.45F * screen.x) : 0.0F;
+    const float bottom = std::max(menu + 1.0F, screen.y - status);
+    const float right = std::max(1.0F, screen.x - side);
+    view_.draw(desk, {{0.0F, menu}, {right, bottom}});
+    if (side > 0.0F) draw_side_panel(desk, {{right, menu}, {screen.x, bottom}});
+    status_bar(desk, status);
+    open_window(desk);
+    study_window(desk);
+    help_window(desk);
+}
+
+bool Explorer::step() {
+    const bool lively = keys_held_ || view_.dragging() || renderer_.busy() ||
+                        model_.moving(window_.now_s()) ||
+                        model_.layout().arrangement == Arrangement::kFlicker;
+    window_.set_text_scale(state_.text_scale);
+    window_.begin_frame(lively ? kLivelyWait_s : kIdleWait_s);
+    const std::optional<double> first_input_s = window_.first_input_s();
+    const double now_s = window_.now_s();
+    take_results();
+    Orders orders;
+    Desk desk{model_, now_s, window_.fonts(), orders, state_};
+    desk.device = renderer_.device();
+    desk.opening = opener_.under_way();
+    desk.opening_s = opener_.seconds();
+    desk.rendering = renderer_.busy();
+    desk.tracing = tracer_.running();
+    const std::uint64_t look_before = model_.look();
+    draw(desk);
+    keys_held_ = keyboard_and_gamepad(desk, now_s - frame_s_);
+    frame_s_ = now_s;
+    if (model_.look() != look_before && !input_s_ && first_input_s) {
+        input_s_ = first_input_s;
+        input_look_ = model_.look();
+    }
+    ask_for_work();
+    window_.end_frame();
+    note_pace();
+    for (const std::string& file : window_.take_dropped()) orders.open = file;
+    carry_out(orders);
+    save_when_ready();
+    return !window_.wants_to_close();
+}
+
+void Explorer::note_pace() {
+    const auto panes = model_.layout().visible(window_.now_s());
+    const auto shown = model_.image(panes.front().side);
+    if (!input_s_ || !shown || shown->look < input_look_) return;
+    pace_.input_ms.push_back(1000.0 * (window_.now_s() - *input_s_));
+    input_s_.reset();
+}
+
+void Explorer::carry_out(Orders& orders) {
+    try {
+        if (orders.cancel_opening && !opener_.under_way().empty()) {
+            say("Not opened: " + opener_.under_way());
+            opener_.cancel();
+        }
+        if (orders.open) open(*orders.open);
+        if (orders.condition) show_condition(*orders.condition);
+    } catch (const std::exception& error) {
+        say(error.what(), true);
+    }
+    waiting_image_ |= orders.save_image;
+    waiting_buffers_ |= orders.save_buffers;
+    if (orders.save_to_study) save_to_study();
+    if (orders.copy) {
+        ImGui::SetClipboardText(orders.copy->c_str());
+        say("Copied.");
+    }
+    if (orders.close) window_.close();
+}
+
+std::filesystem::path Explorer::file_for(char side, const char* ending) const {
+    const std::string scene = std::filesystem::path(model_.choices().scene.id).filename().string();
+    const std::string& camera = model_.view().name;
+    const std::string stem = fmt::format("{}-{}-{}-{}", scene, camera.empty() ? "own" : camera,
+                                         model_.choices().side(side).variant_name(), side);
+    std::filesystem::path file = options_.data / "explore" / (stem + ending);
+    // Nothing that was saved before is replaced.
+    for (int i = 2; std::filesystem::exists(file); ++i) {
+        file = options_.data / "explore" / fmt::format("{}-{}{}", stem, i, ending);
+    }
+    return file;
+}
+
+void Explorer::save_when_ready() {
+    if (!waiting_image_ && !waiting_buffers_) return;
+    const bool fine = model_.choices().supersampling > 1;
+    for (const char side : {'a', 'b'}) {
+        const auto image = model_.image(side);
+        const bool image_ready = image && image->look == model_.look() &&
+                                 image->quality == (fine ? Quality::kFine : Quality::kStill);
+        if (waiting_image_ && !image_ready) return;
+        if (waiting_buffers_ && !model_.buffers(side)) return;
+    }
+    try {
+        for (const char side : {'a', 'b'}) {
+            if (waiting_image_) {
+                const Shot& shot = *model_.image(side);
+                const auto file = file_for(side, ".png");
+                base::write_file_atomically(
+                    file, stimuli::encode_png({shot.width, shot.height, shot.rgb}));
+                say(fmt::format("Saved {}", file.string()));
+            }
+            if (waiting_buffers_) {
+                const auto file = file_for(side, ".exr");
+                base::write_file_atomically(file,
+                                            renderer::encode_exr(model_.buffers(side)->buffers));
+                say(fmt::format("Saved {}", file.string()));
+            }
+        }
+    } catch (const std::exception& error) {
+        say(fmt::format("Not saved: {}", error.what()), true);
+    }
+    waiting_image_ = false;
+    waiting_buffers_ = false;
+}
+
+void Explorer::save_to_study() {
+    StudyDialog& dialog = state_.study_dialog;
+    StudyEntry entry;
+    entry.file = dialog.file;
+    entry.scene_id = dialog.scene_id;
+    if (!dialog.camera_only) entry.condition_id = dialog.condition_id;
+    entry.replaces = dialog.replaces;
+    entry.takes_changed_file = dialog.takes_changed_file;
+    const auto& study = model_.study();
+    std::error_code error;
+    if (study && std::filesystem::equivalent(study->file, entry.file, error)) {
+        entry.known_sha256 = study->text_sha256;
+    }
+    try {
+        const StudyWritten written = write_into_study(model_, entry);
+        say(fmt::format("Saved into {}", entry.file.string()));
+        for (const std::string& note : written.notes) say(note);
+        model_.set_study(open_study(entry.file.string()));
+        dialog.problem.clear();
+        dialog.done = true;
+    } catch (const std::exception& problem) {
+        dialog.problem = problem.what();
+        say(fmt::format("Not saved: {}", problem.what()), true);
+    }
+}
+
+void run_explorer(ExploreOptions options) {
+    Explorer explorer(std::move(options));
+    while (explorer.step()) {
+    }
+}
+
+}  // namespace obscura::app::explorer

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/explorer/desk.h"
+#include "app/explorer/explorer_window.h"
+#include "app/explorer/opener.h"
+#include "app/explorer/render_worker.h"
+#include "app/explorer/truth_worker.h"
+#include "app/explorer/view_area.h"
+
+namespace obscura::app::explorer {
+
+struct ExploreOptions {
+    std::string what;            ///< study, scene or file; empty: what was open last, or the atrium
+    std::filesystem::path data;  ///< the data folder
+    bool reset = false;          ///< forget window, scene and layout of the last time
+    std::optional<WindowSize> window;  ///< nothing: as the last time
+    std::optional<WindowSize> image;   ///< nothing: the study's
+};
+
+/// The window, the model and the workers, joined.
+class Explorer {
+  public:
+    /// Throws failure without a display; bad input for what cannot be opened, naming it.
+    explicit Explorer(ExploreOptions options);
+    /// Remembers window, scene and layout.
+    ~Explorer();
+    Explorer(const Explorer&) = delete;
+    Explorer& operator=(const Explorer&) = delete;
+
+    /// One frame. False: the window was closed.
+    bool step();
+
+    [[nodiscard]] Model& model() { return model_; }
+    [[nodiscard]] PanelState& state() { return state_; }
+    [[nodiscard]] ExplorerWindow& window() { return window_; }
+    /// Whether nothing is opened, rendered or to be rendered.
+    [[nodiscard]] bool at_rest() const;
+    /// What a dropped file, a menu or the command line names. Throws bad input.
+    void open(const std::string& what);
+    void show_condition(const std::string& id);
+
+    /// How late images showed what was put in, and how many there were.
+    struct Pace {
+        std::vector<double> input_ms;  ///< from the first input to the frame that shows it
+    };
+    [[nodiscard]] const Pace& pace() const { return pace_; }
+
+  private:
+    void take_results();
+    void ask_for_work();
+    void draw(Desk& desk);
+    void draw_side_panel(Desk& desk, const Box& box);
+    void carry_out(Orders& orders);
+    void save_when_ready();
+    void save_to_study();
+    void note_pace();
+    /// Where something is saved that was given no name.
+    [[nodiscard]] std::filesystem::path file_for(char side, const char* ending) const;
+    void say(std::string text, bool problem = false);
+
+    ExploreOptions options_;
+    ExplorerWindow window_;
+    Model model_;
+    PanelState state_;
+    ViewArea view_;
+    RenderWorker renderer_;
+    TruthWorker tracer_;
+    Opener opener_;
+    bool software_ = true;
+    bool keys_held_ = false;
+    double frame_s_ = 0.0;                        ///< when the last one began
+    std::optional<renderer::Camera> own_camera_;  ///< of the study, for the scene being opened
+    bool waiting_image_ = false;                  ///< to be saved once it is as good as it gets
+    bool waiting_buffers_ = false;
+    double truth_s_ = 0.0;  ///< when the truth was looked at last
+    Pace pace_;
+    std::optional<double> input_s_;  ///< the earliest input that no rendered image shows yet
+    std::uint64_t input_look_ = 0;
+};
+
+/// Runs until the window is closed.
+void run_explorer(ExploreOptions options);
+
+}  // namespace obscura::app::explorer

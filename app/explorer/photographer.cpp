@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/explorer/photographer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/explorer/flight.h"
+#include "renderer/base/error.h"
+#include "renderer/denoise/denoise.h"
+#include "renderer/frame/explain.h"
+#include "renderer/technique/reference.h"
+#include "stimuli/buffers.h"
+
+namespace obscura::app::explorer {
+namespace {
+
+/// How many components of a format hold something.
+[[nodiscard]] int channels_of(const std::string& format) {
+    if (format.starts_with("rgba") || format.starts_with("srgb8_alpha")) return 4;
+    if (format.starts_with("rgb")) return 3;
+    if (format.starts_with("rg")) return 2;
+    return 1;
+}
+
+void add_own(const renderer::Frame& frame, const renderer::Recipe& recipe, Shot& shot) {
+    for (const renderer::Buffer& buffer : recipe.buffers) {
+        const renderer::PlannedTarget* planned = frame.plan().find(buffer.name);
+        if (planned == nullptr || buffer.format.starts_with("depth")) continue;
+        OwnBuffer own{buffer.name,
+                      buffer.format,
+                      planned->width,
+                      planned->height,
+                      std::max(1, planned->layers),
+                      channels_of(buffer.format),
+                      {}};
+        own.values = frame.read_components(buffer.name, own.channels);
+        shot.own.push_back(std::move(own));
+    }
+}
+
+}  // namespace
+
+void Photographer::load(const ShotRequest& request) {
+    if (scene_ != request.scene) {
+        known_ = {};
+        gpu_.reset();
+        scene_ = request.scene;
+        gpu_ = std::make_unique<renderer::GpuScene>(*scene_->opened().scene);
+        light_key_.clear();
+    }
+    const stimuli::StudyScene& wanted = request.choices.scene;
+    const std::string key =
+        fmt::format("{} {}", to_string(wanted.validity), stimuli::to_json(wanted.settings));
+    if (key == light_key_) return;
+    known_ = {};
+    light_key_.clear();
+    lighting_ = stimuli::with_settings(scene_->opened().lighting(wanted.validity), wanted.validity,
+                                       wanted.settings, request.choices.folder);
+    light_key_ = key;
+}
+
+Shot Photographer::take(const ShotRequest& request, char side,
+                        const std::function<bool()>& wanted) {
+    const auto began = std::chrono::steady_clock::now();
+    load(request);
+    const Choices& choices = request.choices;
+    const bool fine = request.quality == Quality::kFine;
+    renderer::FrameOptions options;
+    options.supersampling = fine ? choices.supersampling : 1;
+    options.occluding_opacity = choices.occluding_opacity;
+    // With the same buffers for every technique, what one image computed serves the next.
+    options.all_buffers = !fine;
+    const int width = std::max(1, choices.width / request.divisor);
+    const int height = std::max(1, choices.height / request.divisor);
+    const std::string key = fmt::format("{}x{} {} {} {}", width, height, options.supersampling,
+                                        options.all_buffers, options.occluding_opacity.value_or(0));
+    if (request.afresh || key != known_key_ || !same_view(request.camera, known_camera_))
+        known_ = {};
+    known_key_ = key;
+    known_camera_ = request.camera;
+    const auto trace = [&](const renderer::Camera& camera, int image_width, int image_height,
+                           const renderer::Variant& choice) {
+        const auto go_on = [&](double /*share*/) { return wanted(); };
+        try {
+            return scene_->rays()
+                .trace(camera, image_width, image_height, renderer::reference_options(choice),
+                       go_on)
+                .accessibility;
+        } catch (const base::Error&) {
+            if (!wanted()) throw Stopped();
+            throw;
+        }
+    };
+    const renderer::Variant& variant = choices.side(side);
+    const auto rays = [this]() -> const renderer::ReferenceScene& { return scene_->rays(); };
+    const renderer::Frame frame = renderer_.render(
+        {*gpu_, lighting_, request.camera, options, trace, rays}, variant, width, height, known_);
+    renderer::ViewBuffers buffers = frame.view_buffers();
+    // What took over everything may hold less than what it took it from.
+    if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
+    Shot shot;
+    shot.look = request.look;
+    shot.quality = request.quality;
+    shot.side = side;
+    shot.variant = variant;
+    shot.width = width;
+    shot.height = height;
+    shot.divisor = request.divisor;
+    shot.supersampling = options.supersampling;
+    shot.rgb = frame.read_display();
+    if (request.buffers) {
+        shot.buffers = stimuli::buffers_of(frame, lighting_);
+        if (frame.plan().find(renderer::Target::kEmission) != nullptr) {
+            shot.emission = frame.read_components(renderer::Target::kEmission, 3);
+        }
+        if (const renderer::Technique* technique = renderer::find_technique(variant.technique);
+            technique != nullptr && technique->recipe != nullptr) {
+            add_own(frame, technique->recipe(variant), shot);
+        }
+        if (const renderer::Denoise* denoise = renderer::find_denoise(variant.denoise)) {
+            add_own(frame, denoise->recipe, shot);
+        }
+    }
+    shot.times = renderer::by_name(frame.times);
+    shot.explanation = renderer::explanation_of(frame);
+    shot.bytes = frame.plan().bytes();
+    shot.left_out = frame.plan().left_out;
+    shot.fetches = renderer::fetches_per_pixel(variant);
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - began;
+    shot.milliseconds = spent.count();
+    return shot;
+}
+
+}  // namespace obscura::app::explorer
