@@ -104,7 +104,7 @@ std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::
             const Setting before = settings[i];
             if (!fit.is_for(*view.scene, before.choice)) continue;
             const bool as_fitted = before.choice.denoise == fit.choice.denoise &&
-                                   before.choice.depth_format == fit.choice.depth_format;
+                                   renderer::same_options(before.choice, fit.choice);
             if (!as_fitted && before.shown.empty()) continue;
             Setting setting = before;
             setting.values = Values::kFitted;
@@ -201,7 +201,7 @@ void name_map(analysis::ErrorMap& map, const analysis::MeasurementRow& row,
               std::set<std::string>& taken) {
     std::string setting = row.variant;
     if (row.denoise != kPlottedFilter && row.samples > 0) setting += ' ' + row.denoise;
-    if (row.depth_format != "r32f") setting += ' ' + row.depth_format;
+    if (!row.options.empty()) setting += ' ' + row.options;
     const std::string name = file_stem(fmt::format("error-{}-{}-{}{}", row.scene_id, row.camera,
                                                    setting, row.fitted ? "-fitted" : ""));
     map.name = name;
@@ -223,7 +223,7 @@ std::vector<Setting> only_shown(const MeasuredView& view, const stimuli::Study& 
             for (const Valued& way : published_choices(view, study, setting.choice.technique)) {
                 wanted |= way.choice.samples == setting.choice.samples &&
                           way.choice.denoise == setting.choice.denoise &&
-                          way.choice.depth_format == setting.choice.depth_format;
+                          renderer::same_options(way.choice, setting.choice);
             }
         }
         if (wanted) kept.push_back(setting);

@@ -177,7 +177,9 @@ bool same_parameters(const Variant& a, const Variant& b) {
     Variant like_a = b;
     like_a.samples = a.samples;
     like_a.denoise = a.denoise;
-    like_a.depth_format = a.depth_format;
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        like_a.*option.value = a.*option.value;
+    }
     return a == like_a;
 }
 

@@ -32,7 +32,9 @@ analysis::MeasurementRow describe(const MeasuredView& view, const Setting& setti
     row.samples = choice.samples;
     row.denoise = choice.denoise;
     row.depth_format = choice.depth_format;
-    row.noise = choice.samples > 0 ? fmt::format("tile{0}x{0}", kTileSize) : "none";
+    row.ao_scale = 1.0 / renderer::ao_step(choice);
+    row.noise = choice.samples > 0 ? choice.noise : "none";
+    row.options = renderer::options_in_words(choice);
     row.width = width;
     row.height = height;
     row.device = renderer::gpu_renderer();
@@ -123,7 +125,7 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
     const renderer::FramePlan& plan = frame.plan();
-    const std::string seen = plan.seen_by_technique(Target::kDepth);
+    const std::string seen = plan.of_pixels(Target::kDepth);
     const renderer::PlannedTarget* planned = plan.find(seen);
     if (planned == nullptr || planned->width != plan.image_width) return mask;
     const std::vector<float> depth_m = frame.read_floats(seen);

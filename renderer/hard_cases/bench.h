@@ -27,6 +27,7 @@ struct Shot {
     Values depth_m;
     Values accessibility;  ///< as the technique wrote it
     Values denoised;       ///< after the filter; the same where there is none
+    Values shown = {};     ///< what the image uses, at its size
     /// What the definitions give on the same buffers: the technique's of accessibility, the
     /// filter's of denoised. Empty where there is no model, or the image is too large for it.
     Values defined_accessibility = {};

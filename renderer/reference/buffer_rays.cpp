@@ -26,12 +26,6 @@ constexpr unsigned kFlushDenormals = 0x8040;
 /// large triangles may leave of it.
 constexpr float kOffset = 3.0e-5F;
 
-glm::vec3 decoded(const float* code) {
-    const glm::vec3 n = (glm::vec3(code[0], code[1], code[2]) * 255.0F - 128.0F) * (1.0F / 127.0F);
-    const float squared = glm::dot(n, n);
-    return squared > 1.0e-12F ? n / std::sqrt(squared) : glm::vec3(0.0F, 0.0F, 1.0F);
-}
-
 /// Duff et al. 2017, equation 6.
 glm::mat3 frame_of(const glm::vec3& n) {
     const float sign = std::copysign(1.0F, n.z);
@@ -131,7 +125,8 @@ class Tracer {
         const std::size_t pixel = index(x, y);
         if (!(surfaces_.depth_m[pixel] < kBackgroundLimit_m)) return;
         const auto slot = static_cast<std::size_t>(block.count++);
-        const glm::vec3 stored = decoded(&surfaces_.normal[3 * pixel]);
+        const float* const stored_at = &surfaces_.normal[3 * pixel];
+        const glm::vec3 stored(stored_at[0], stored_at[1], stored_at[2]);
         const glm::vec3 n = face_normal(x, y, stored);
         const glm::vec3 p = point(x, y);
         const float offset_m = kOffset * (std::abs(p.z) + glm::length(eye_m_));
