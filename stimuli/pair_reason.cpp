@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "renderer/frame/camera.h"
 #include "renderer/light/shadow.h"
+#include "renderer/scene/camera.h"
 #include "stimuli/pairs.h"
 
 namespace obscura::stimuli {

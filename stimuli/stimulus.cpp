@@ -15,6 +15,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
 #include "renderer/gl/program.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
 #include "stimuli/pairs.h"
 #include "stimuli/variant_format.h"

@@ -20,7 +20,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
 #include "renderer/reference/exr.h"
-#include "renderer/reference/reference.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/scenes/scene_source.h"
 
 namespace obscura::app {

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/camera.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/view.h"
 #include "renderer/gl/program.h"
+#include "renderer/scene/camera.h"
 
 namespace obscura::renderer {
 

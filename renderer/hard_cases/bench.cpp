@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "renderer/denoise/denoise.h"
-#include "renderer/frame/camera.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/recipe/normal_format.h"
-#include "renderer/reference/reference.h"
+#include "renderer/scene/camera.h"
+#include "renderer/technique/reference.h"
 
 namespace obscura::renderer {
 namespace {

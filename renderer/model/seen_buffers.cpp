@@ -54,7 +54,7 @@ void SeenDepths::add(float depth_m) {
 }
 
 SeenView::SeenView(const SeenBuffers& buffers) : buffers_(buffers) {
-    // As renderer/frame/camera.cpp and job.h compute them, in floats.
+    // As renderer/scene/camera.cpp and job.h compute them, in floats.
     const double half_rad = 0.5 * static_cast<double>(buffers.camera.vertical_fov_rad);
     const Rounded up = Rounded(std::tan(half_rad), 2.0 * kUlp * std::tan(half_rad));
     const Rounded aspect = Rounded(buffers.width) / Rounded(buffers.height);

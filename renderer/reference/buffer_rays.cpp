@@ -10,10 +10,10 @@
 #include <cmath>
 #include <thread>
 
-#include "renderer/frame/camera.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/reference/ray_scene.h"
 #include "renderer/reference/sampler.h"
+#include "renderer/scene/camera.h"
 
 namespace obscura::renderer {
 namespace {

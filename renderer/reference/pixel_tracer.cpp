@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/frame/camera.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/scene/camera.h"
 
 namespace obscura::renderer {
 namespace {

@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
-#include "renderer/technique/reference_rays.h"
-#include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
 class RayScene;
+
+/// The most rays a pixel.
+inline constexpr int kMostReferenceRays = 65536;
 
 /// How much a surface at distance t < R occludes: wholly, by 1 - t/R, or by 1 - (t/R)^2.
 enum class Falloff { kNone, kLinear, kQuadratic };
@@ -85,9 +86,6 @@ class ReferenceScene {
   private:
     std::unique_ptr<RayScene> rays_;
 };
-
-/// What the technique `reference` asks for: its samples are rays. The choice must have no problems.
-[[nodiscard]] ReferenceOptions reference_options(const Variant& choice);
 
 /// Throws bad input naming the option, its value and what is allowed.
 void check_options(const ReferenceOptions& options);

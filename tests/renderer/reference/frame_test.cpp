@@ -9,6 +9,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/reference.h"
 #include "stimuli/scenes/builtin_scene.h"
 #include "tests/renderer/reference/corner.h"
 #include "tests/support/test_scenes.h"

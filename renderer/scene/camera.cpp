@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "renderer/frame/camera.h"
+#include "renderer/scene/camera.h"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
