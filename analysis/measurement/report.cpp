@@ -305,6 +305,8 @@ std::string report_text(const MeasurementReport& report) {
                                 cell(row.error, &AccessibilityError::p99));
         }
     }
+    if (!report.findings.empty()) text += '\n';
+    for (const std::string& finding : report.findings) text += finding + '\n';
     if (report.asks_order && !report.rows.empty()) {
         const auto orders = orders_of_techniques(report.rows, report.denoise);
         text += '\n';
@@ -342,6 +344,10 @@ std::vector<fs::path> write_report(const MeasurementReport& report, const fs::pa
     Page page(report.title);
     page.paragraph("Rendered on: " + report.device);
     if (!report.timer_check.empty()) page.paragraph(report.timer_check);
+    if (!report.findings.empty()) {
+        page.heading("What it found");
+        page.list(report.findings);
+    }
     put_speed_and_error(report, page, folder);
     put_details(report, page, folder);
     page.heading("How it was measured");

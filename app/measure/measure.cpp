@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/measure/experiments/run_experiment.h"
 #include "app/measure/fit_settings.h"
 #include "app/measure/fitted_study.h"
 #include "app/measure/growth.h"
@@ -317,7 +318,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     }
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
-    if (request.scenes.empty()) note_unmeasured(study, measured);
+    if (request.scenes.empty() && request.experiment.empty()) note_unmeasured(study, measured);
     note_processor(request, measured);
     MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
@@ -328,6 +329,11 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
         measured.report.growth =
             measure_growth(stage, request, views.front(), timers,
                            [&progress](const std::string& what) { progress.step(what); });
+        return measured;
+    }
+    if (!request.experiment.empty()) {
+        measured.report.of_study = measured.report.asks_order = false;
+        run_experiment(stage, request, study, views, timers, measured.report);
         return measured;
     }
     sweep_all(stage, request, study, views, measured, timers);

@@ -75,6 +75,11 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
         analysis::interior_mask(truth.width, truth.height, kInteriorMargin);
     for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
     row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
+    const renderer::Technique& technique = *renderer::find_technique(row.technique);
+    if (technique.output == renderer::Output::kColour) {
+        row.error = row.interior =
+            analysis::Possible<analysis::AccessibilityError>::none(why_unmeasured(technique));
+    }
     row.nonfinite = nonfinite_of(measured);
     if (frame.plan().has(renderer::Phase::kDenoise)) {
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));

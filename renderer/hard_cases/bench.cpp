@@ -21,18 +21,6 @@ constexpr int kRays = 64;
 /// Share of pixels that may be uncertain: the others bind the shader to kUncertain or closer.
 constexpr double kMostUncertain = 0.05;
 
-/// What a format may make of a value: it stores the nearest that it has, or one beside that.
-Admitted as_stored(Admitted pixel, const std::string& format) {
-    const auto step_at = [&format](double value) {
-        if (format == "r8") return 1.0 / 255.0;
-        if (format != "r16f") return 0.0;
-        return std::ldexp(1.0, std::max(std::ilogb(std::max(value, 1.0e-9)), -14) - 10);
-    };
-    pixel.low -= step_at(pixel.low);
-    pixel.high += step_at(pixel.high);
-    return pixel;
-}
-
 /// Nominal values; empty where some pixel was not evaluated.
 Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
     Values values;
@@ -45,6 +33,17 @@ Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
 }
 
 }  // namespace
+
+Admitted as_stored(Admitted pixel, const std::string& format) {
+    const auto step_at = [&format](double value) {
+        if (format == "r8") return 1.0 / 255.0;
+        if (format != "r16f") return 0.0;
+        return std::ldexp(1.0, std::max(std::ilogb(std::max(value, 1.0e-9)), -14) - 10);
+    };
+    pixel.low -= step_at(pixel.low);
+    pixel.high += step_at(pixel.high);
+    return pixel;
+}
 
 SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
     const FramePlan& plan = frame.plan();

@@ -51,6 +51,7 @@ uint hidden_by(Surface p, Slice s, Side side, float distance_px, Sample q, float
 uint hidden(Surface p, Slice s, Side side) {
     float radius_px = p_radius_m * p_reach / (p.z * p.pixel);
     float farthest_m = p_radius_m * p_cut_off;
+    float limit = farthest_m * farthest_m;
     float thickness_m = p_radius_m * p_thickness;
     uint mask = 0u;
     for (int i = 0; i < kSteps; ++i) {
@@ -62,16 +63,16 @@ uint hidden(Surface p, Slice s, Side side) {
         float first = texelFetch(t_depth, texel, 0).r;
         float second = texelFetch(t_second_depth, texel >> LAYER_SHIFT, 0).r;
         Sample q = carried(p, s, distance_px, px, texel, first);
-        if (q.seen && q.squared <= farthest_m * farthest_m) {
+        if (q.seen && q.squared <= limit) {
             mask |= hidden_by(p, s, side, distance_px, q, thickness_m);
         }
         q = carried(p, s, distance_px, px, texel, second);
-        if (q.seen && q.squared <= farthest_m * farthest_m) {
+        if (q.seen && q.squared <= limit) {
             mask |= hidden_by(p, s, side, distance_px, q, p_radius_m * p_second_thickness);
         }
 #else
         Sample q = sample_at(p, s, distance_px);
-        if (!q.seen || q.squared > farthest_m * farthest_m) continue;
+        if (!q.seen || q.squared > limit) continue;
         mask |= hidden_by(p, s, side, distance_px, q, thickness_m);
 #endif
     }

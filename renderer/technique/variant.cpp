@@ -68,8 +68,9 @@ std::string why_without(const Technique& technique, const std::string& option,
                         const std::string& value) {
     if (option == "depth_format") {
         const bool starts_rays = technique.ray_traced && !technique.is_truth();
-        if (!starts_rays || value == "d24") return "";
-        return "starts its rays from the depth, and 16 bits put them inside surfaces";
+        if (!starts_rays) return "";
+        return fmt::format("starts its rays from the depth, and {} bits put them inside surfaces",
+                           value == "d24" ? 24 : 16);
     }
     if (!technique.makes_accessibility()) return "has no buffer of accessibility";
     if (technique.is_truth()) return "is the truth, which is shown as it is";
@@ -118,7 +119,7 @@ const std::vector<VariantOption>& variant_options() {
     static const std::vector<VariantOption> list = {
         {"depth_format",
          "How the depth that the technique reads is stored; d24: rebuilt from the depth test's",
-         {"r32f", "d24", "r16f"},
+         {"r32f", "r16f", "d24"},
          &Variant::depth_format},
         {"normal_format",
          "How the normal that the technique reads is stored; rg8: z rebuilt; oct16: octahedral; "

@@ -62,17 +62,6 @@ Asked parse(const std::string& text) {
     return asked;
 }
 
-/// With the study's values for the view's scene where the setting has none.
-renderer::Variant on_view(const Asked& asked, const MeasuredView& view,
-                          const stimuli::Study& study) {
-    renderer::Variant variant = asked.variant;
-    const Valued way = published_choices(view, study, variant.technique).front();
-    for (const auto& [name, value] : way.choice.parameters) {
-        variant.parameters.emplace(name, value);
-    }
-    return variant;
-}
-
 struct Errors {
     double square = 0.0;
     double bias = 0.0;
@@ -137,18 +126,6 @@ Wanted options_of(int count, char** arguments) {
     return options;
 }
 
-/// The first view of each scene.
-std::vector<MeasuredView> one_a_scene(std::vector<MeasuredView> views) {
-    std::vector<MeasuredView> kept;
-    for (MeasuredView& view : views) {
-        const bool seen = std::any_of(kept.begin(), kept.end(), [&view](const MeasuredView& other) {
-            return other.scene == view.scene;
-        });
-        if (!seen) kept.push_back(std::move(view));
-    }
-    return kept;
-}
-
 void fit(const Wanted& options, const MeasureRequest& request, const stimuli::Study& study,
          const std::vector<MeasuredView>& views) {
     Asked last = options.asked.back();
@@ -174,7 +151,8 @@ void fit(const Wanted& options, const MeasureRequest& request, const stimuli::St
         for (std::size_t i = 0; i < training.size(); ++i) {
             for (const MeasuredView& view : training[i]) {
                 sum +=
-                    errors_on(*stages[i], view, on_view(last, view, study), 320, 180, 128).square;
+                    errors_on(*stages[i], view, on_view(last.variant, view, study), 320, 180, 128)
+                        .square;
                 count += 1.0;
             }
         }
@@ -191,8 +169,9 @@ void fit(const Wanted& options, const MeasureRequest& request, const stimuli::St
     double sum = 0.0;
     fmt::print("\n  reported");
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const Errors errors = errors_on(*stages[i], views[i], on_view(last, views[i], study),
-                                        options.size.width, options.size.height, options.rays);
+        const Errors errors =
+            errors_on(*stages[i], views[i], on_view(last.variant, views[i], study),
+                      options.size.width, options.size.height, options.rays);
         sum += errors.square / static_cast<double>(views.size());
         fmt::print(" {:.4f} ({:+.3f})", std::sqrt(errors.square), errors.bias);
     }
@@ -212,7 +191,7 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
         std::vector<renderer::Frame> frames;
         std::vector<std::vector<double>> times(options.asked.size());
         for (std::size_t i = 0; i < options.asked.size(); ++i) {
-            const renderer::Variant variant = on_view(options.asked[i], view, study);
+            const renderer::Variant variant = on_view(options.asked[i].variant, view, study);
             const Errors errors = errors_on(stage, view, variant, width, height, options.rays);
             sums[i].square += errors.square * share;
             sums[i].bias += errors.bias * share;
@@ -223,8 +202,8 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
         }
         for (int run = 0; run < options.runs + 2; ++run) {
             for (std::size_t i = 0; i < options.asked.size(); ++i) {
-                const auto passes =
-                    stage.render_again(view, frames[i], on_view(options.asked[i], view, study));
+                const auto passes = stage.render_again(
+                    view, frames[i], on_view(options.asked[i].variant, view, study));
                 if (run >= 2) times[i].push_back(ms_of(passes));
             }
         }
