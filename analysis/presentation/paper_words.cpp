@@ -161,13 +161,13 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 std::vector<std::string> method_paragraphs(const ReportInput& input) {
     const Analysis& analysis = input.analysis;
-    return {joined({showing_words(input), order_of_pairs(input.study.order),
-                    exclusion_words(analysis.exclusions)}),
-            joined({pair_tests(analysis), hypothesis_words(analysis), validity_tests(analysis),
-                    correction_words(analysis),
-                    fmt::format("Everything was computed by {} (seed {} of all draws).",
-                                input.software.empty() ? "Obscura" : input.software,
-                                kAnalysisSeed)})};
+    return {
+        joined({showing_words(input), order_of_pairs(input.study.order),
+                exclusion_words(analysis.exclusions)}),
+        joined({pair_tests(analysis), hypothesis_words(analysis), validity_tests(analysis),
+                correction_words(analysis),
+                fmt::format("Everything was computed by {} (seed {} of all draws).",
+                            input.software.empty() ? "Obscura" : input.software, kAnalysisSeed)})};
 }
 
 std::vector<std::string> result_paragraphs(const ReportInput& input) {

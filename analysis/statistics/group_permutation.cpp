@@ -26,9 +26,11 @@ class Sums {
     void add(std::int64_t number) {
         const auto step = static_cast<std::size_t>(number);
         const std::size_t rows = chance_.size() / width_;
-        for (std::size_t k = rows; k-- > 0;) {
+        ++numbers_;
+        total_ += step;
+        for (std::size_t k = std::min(rows, numbers_ + 1); k-- > 0;) {
             double* const row = chance_.data() + k * width_;
-            for (std::size_t s = width_; s-- > 0;) {
+            for (std::size_t s = total_ + 1; s-- > 0;) {
                 double chance = row[s] / 2.0;
                 if (k > 0 && s >= step) chance += (row - width_)[s - step] / 2.0;
                 row[s] = chance;
@@ -42,6 +44,8 @@ class Sums {
   private:
     std::size_t width_;
     std::vector<double> chance_;
+    std::size_t numbers_ = 0;  ///< seen so far
+    std::size_t total_ = 0;    ///< their sum
 };
 
 /// How far a sum of the first group is from what is expected, in units that are whole numbers.

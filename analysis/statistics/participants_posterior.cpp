@@ -3,7 +3,6 @@
 #include "analysis/statistics/participants_posterior.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
@@ -15,29 +14,12 @@
 namespace obscura::analysis {
 namespace {
 
-/// log of x (x + 1) ... (x + n - 1) for n from 0 to `most`: one logarithm each, or of any n.
-class LogRising {
-  public:
-    LogRising(double x, std::int64_t most) : x_(x) {
-        if (most >= static_cast<std::int64_t>(sums_.size())) return;
-        is_listed_ = true;
-        for (std::int64_t i = 0; i < most; ++i) {
-            const auto place = static_cast<std::size_t>(i);
-            sums_[place + 1] = sums_[place] + std::log(x + static_cast<double>(i));
-        }
-    }
-    [[nodiscard]] double of(std::int64_t n) const {
-        if (is_listed_) return sums_[static_cast<std::size_t>(n)];
-        return n == 0 ? 0.0 : std::lgamma(x_ + static_cast<double>(n)) - std::lgamma(x_);
-    }
+/// log of x (x + 1) ... (x + n - 1).
+double log_rising(double x, std::int64_t n) {
+    return n == 0 ? 0.0 : std::lgamma(x + static_cast<double>(n)) - std::lgamma(x);
+}
 
-  private:
-    double x_;
-    bool is_listed_ = false;
-    std::array<double, 64> sums_{};
-};
-
-/// Participants who gave as many votes for B and for A, together.
+/// The probability of everybody's votes where each has a share of his own.
 class Likelihood {
   public:
     explicit Likelihood(const std::vector<Votes>& each) {
@@ -46,14 +28,16 @@ class Likelihood {
             check_votes("participants_posterior", votes);
             if (votes.n() > 0) alike[{votes.b, votes.a}] += 1.0;
         }
+        std::int64_t most = 0;
         for (const auto& [votes, participants] : alike) {
             alike_.push_back({votes.first, votes.second, participants});
             participants_ += participants;
-            most_ = std::max(most_, votes.first + votes.second);
+            most = std::max(most, votes.first + votes.second);
             share_ += participants * static_cast<double>(votes.first) /
                       static_cast<double>(votes.first + votes.second);
         }
         if (participants_ > 0.0) share_ /= participants_;
+        if (most <= kMostListed) list_factors(static_cast<std::size_t>(most));
     }
     [[nodiscard]] std::size_t different() const { return alike_.size(); }
     [[nodiscard]] double participants() const { return participants_; }
@@ -62,26 +46,67 @@ class Likelihood {
         return std::all_of(alike_.begin(), alike_.end(),
                            [](const Alike& alike) { return alike.b + alike.a == 1; });
     }
-    [[nodiscard]] double log(double share, double correlation) const {
-        const double size = (1.0 - correlation) / correlation;
-        const LogRising for_b(share * size, most_);
-        const LogRising for_a((1.0 - share) * size, most_);
-        const LogRising all(size, most_);
-        double sum = 0.0;
+
+    /// A correlation of one participant's votes, more than 0 and less than 1, as the sum of the two
+    /// parameters of the beta distribution of shares; what the logarithm has of it alone.
+    struct Spread {
+        double size = 0.0;
+        double log_all = 0.0;
+    };
+    [[nodiscard]] Spread spread(double correlation) const {
+        Spread spread{(1.0 - correlation) / correlation};
+        for (std::size_t i = 0; i < factors_.size(); ++i) {
+            spread.log_all += factors_[i].all * std::log(spread.size + static_cast<double>(i));
+        }
+        if (!factors_.empty()) return spread;
         for (const Alike& alike : alike_) {
-            sum += alike.participants *
-                   (for_b.of(alike.b) + for_a.of(alike.a) - all.of(alike.b + alike.a));
+            spread.log_all += alike.participants * log_rising(spread.size, alike.b + alike.a);
+        }
+        return spread;
+    }
+    [[nodiscard]] double log(double share, const Spread& spread) const {
+        const double for_b = share * spread.size;
+        const double for_a = (1.0 - share) * spread.size;
+        double sum = -spread.log_all;
+        for (std::size_t i = 0; i < factors_.size(); ++i) {
+            const auto& [b, a, all] = factors_[i];
+            if (b > 0.0) sum += b * std::log(for_b + static_cast<double>(i));
+            if (a > 0.0) sum += a * std::log(for_a + static_cast<double>(i));
+        }
+        if (!factors_.empty()) return sum;
+        for (const Alike& alike : alike_) {
+            sum += alike.participants * (log_rising(for_b, alike.b) + log_rising(for_a, alike.a));
         }
         return sum;
     }
 
   private:
+    /// Votes of a participant beyond which rising products are taken whole and not by their factors.
+    static constexpr std::int64_t kMostListed = 63;
+
+    void list_factors(std::size_t most) {
+        factors_.resize(most);
+        for (const Alike& alike : alike_) {
+            const auto b = static_cast<std::size_t>(alike.b);
+            const auto a = static_cast<std::size_t>(alike.a);
+            for (std::size_t i = 0; i < b; ++i) factors_[i].b += alike.participants;
+            for (std::size_t i = 0; i < a; ++i) factors_[i].a += alike.participants;
+            for (std::size_t i = 0; i < b + a; ++i) factors_[i].all += alike.participants;
+        }
+    }
+
+    /// Participants who gave as many votes for B and for A, together.
     struct Alike {
         std::int64_t b, a;
         double participants;
     };
+    /// Participants with more than so many votes, for B, for A and together: how often the factor
+    /// of that place is there.
+    struct Factor {
+        double b = 0.0, a = 0.0, all = 0.0;
+    };
     std::vector<Alike> alike_;
-    std::int64_t most_ = 0;  ///< votes of a participant
+    std::vector<Factor> factors_;  ///< empty where somebody gave more than kMostListed
     double participants_ = 0.0;
     double share_ = 0.0;
 };
@@ -108,7 +133,9 @@ Interval likely_correlations(const Likelihood& likelihood) {
     constexpr double kFarBelow = 25.0;
     const double share = std::clamp(likelihood.mean_share(), .01, .99);
     std::vector<double> logs;
-    for (int i = 0; i < kSteps; ++i) logs.push_back(likelihood.log(share, (i + .5) / kSteps));
+    for (int i = 0; i < kSteps; ++i) {
+        logs.push_back(likelihood.log(share, likelihood.spread((i + .5) / kSteps)));
+    }
     const double highest = *std::max_element(logs.begin(), logs.end());
     Interval likely{1.0, 0.0};
     for (int i = 0; i < kSteps; ++i) {
@@ -140,12 +167,14 @@ Density density_of(const Likelihood& likelihood) {
     density.values.resize(kSteps + 1);
     const Interval likely = likely_correlations(likelihood);
     const Rule rule(likely.low, likely.high);
+    std::vector<Likelihood::Spread> spreads;
+    for (const double correlation : rule.points) spreads.push_back(likelihood.spread(correlation));
     std::vector<double> logs(rule.points.size() * density.values.size(),
                              -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < density.values.size(); ++i) {
         const double share = density.at(i);
         for (std::size_t k = 0; k < rule.points.size(); ++k) {
-            logs[i * rule.points.size() + k] = likelihood.log(share, rule.points[k]);
+            logs[i * rule.points.size() + k] = likelihood.log(share, spreads[k]);
         }
     }
     const double highest = *std::max_element(logs.begin(), logs.end());

@@ -27,7 +27,7 @@ class Layout {
         io.UserData = &page_;
         io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
         try {
-            fonts_ = load_fonts(texts, window.height);
+            fonts_ = window::load_fonts(texts, window::sizes_of_pages(window.height));
         } catch (...) {
             end();
             throw;

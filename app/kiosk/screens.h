@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "app/kiosk/fonts.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/text_entry.h"
 #include "app/kiosk/window.h"
+#include "app/window/fonts.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {
+
+using window::Fonts;
 
 // One page a file. Each draws itself with Dear ImGui and gives back what was pressed, if anything.
 

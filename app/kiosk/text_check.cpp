@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-#include "app/kiosk/font_files.h"
+#include "app/window/font_files.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -133,7 +133,7 @@ constexpr std::array kPlainScripts{USCRIPT_COMMON,   USCRIPT_LATIN,    USCRIPT_G
 std::vector<std::string> problems_of_text(const std::string& text) {
     std::map<std::string, std::set<char32_t>> obstacles;
     std::set<char32_t> settable;
-    for (const char32_t character : characters_of({text})) {
+    for (const char32_t character : window::characters_of({text})) {
         std::string obstacle = obstacle_of(character);
         if (obstacle.empty()) {
             settable.insert(character);
@@ -142,7 +142,7 @@ std::vector<std::string> problems_of_text(const std::string& text) {
         }
     }
     std::map<std::string, std::set<char32_t>> packages;
-    for (const char32_t character : choose_fonts(settable).missing) {
+    for (const char32_t character : window::choose_fonts(settable).missing) {
         packages[package_for(character)].insert(character);
     }
     std::vector<std::string> problems;

@@ -29,7 +29,7 @@ Ui::Ui(Window& window, const std::vector<std::string>& texts, int grey_level)
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     try {
-        fonts_ = load_fonts(texts, window.size().height);
+        fonts_ = window::load_fonts(texts, window::sizes_of_pages(window.size().height));
     } catch (...) {
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();

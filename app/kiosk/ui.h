@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "app/kiosk/fonts.h"
 #include "app/kiosk/page.h"
 #include "app/kiosk/window.h"
+#include "app/window/fonts.h"
 
 namespace obscura::app::kiosk {
+
+using window::Fonts;
 
 /// Dear ImGui in the kiosk's window: draws pages.
 class Ui {

@@ -12,12 +12,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/kiosk/theme.h"
+#include "app/window/theme.h"
 
 namespace obscura::app::kiosk {
 namespace {
 
-using namespace theme;
+using namespace window::theme;
 
 /// Added to the text's height: space between lines, and for an empty line.
 constexpr float kLeading = 0.32F;

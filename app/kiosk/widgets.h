@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "app/kiosk/fonts.h"
 #include "app/kiosk/page.h"
 #include "app/kiosk/text_entry.h"
+#include "app/window/fonts.h"
 
 namespace obscura::app::kiosk {
+
+using window::Fonts;
 
 /// The kiosk's calm look: dark text on a light grey card. `text_px` is the height of the text.
 void set_style(float text_px);

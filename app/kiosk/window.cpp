@@ -13,22 +13,11 @@
 #include <utility>
 
 #include "app/kiosk/clock.h"
+#include "app/window/glfw.h"
 #include "renderer/base/error.h"
 
 namespace obscura::app::kiosk {
 namespace {
-
-[[nodiscard]] std::string glfw_reason() {
-    const char* text = nullptr;
-    glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
-}
-
-[[nodiscard]] std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? fmt::format("{} is {}", name, value)
-                            : fmt::format("{} is not set", name);
-}
 
 [[nodiscard]] std::string text_of(Extent extent) {
     return fmt::format("{}x{}", extent.width, extent.height);
@@ -60,17 +49,7 @@ void require_room(Extent place, Extent room, const std::string& what) {
 }
 
 void set_hints() {
-    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_RED_BITS, 8);
-    glfwWindowHint(GLFW_GREEN_BITS, 8);
-    glfwWindowHint(GLFW_BLUE_BITS, 8);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_SAMPLES, 0);
-    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
+    window::ask_for_context();
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     // A participant who reaches another window must not make the stimulus vanish.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
@@ -133,10 +112,7 @@ const char* to_string(Sight sight) {
 }
 
 Window::Window(const WindowOptions& options) {
-    if (glfwInit() != GLFW_TRUE) {
-        throw base::failure("no display: {} ({}, {}); the kiosk needs a screen", glfw_reason(),
-                            variable("DISPLAY"), variable("WAYLAND_DISPLAY"));
-    }
+    window::start_glfw("the kiosk");
     try {
         open(options);
         settle();
@@ -177,12 +153,7 @@ void Window::open(const WindowOptions& options) {
     set_hints();
     window_ = glfwCreateWindow(wanted_.size.width, wanted_.size.height, "Obscura",
                                windowed_ ? nullptr : monitor, nullptr);
-    if (window_ == nullptr) {
-        throw base::failure(
-            "no OpenGL 4.5 core context in a window: {}; the driver is missing or too old "
-            "(Mesa's is in the package libgl1-mesa-dri)",
-            glfw_reason());
-    }
+    if (window_ == nullptr) throw window::no_context();
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     set_callbacks();

@@ -89,8 +89,8 @@ TEST(Variant, DiffersFromOneThatDiffersInAnySetting) {
             (other++)->parameters[name] = value + 1.0;
         }
         for (const VariantOption& option : variant_options()) {
-            std::string& word = (*other++).*option.value;
-            word = word == option.standard() ? option.allowed.back() : option.standard();
+            std::string& value = (*other++).*option.value;
+            value = value == option.standard() ? option.allowed.back() : option.standard();
         }
         for (const Variant& changed : others) EXPECT_NE(changed, variant) << changed.in_words();
     }

@@ -7,6 +7,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/reference/reference.h"
 #include "tests/support/test_scenes.h"
 
 namespace obscura::renderer {
@@ -22,8 +23,14 @@ class Supersampling : public testing::Test {
     Frame render(const Scene& scene, const Variant& choice, const FrameOptions& options,
                  const TracedAccessibility& traced = {}) {
         const GpuScene gpu(scene);
-        return renderer_.render({gpu, {}, tests::forward_camera(), options, traced}, choice,
-                                kSampledWidth, kSampledHeight);
+        const ReferenceScene rays(scene);
+        return renderer_.render({gpu,
+                                 {},
+                                 tests::forward_camera(),
+                                 options,
+                                 traced,
+                                 [&rays]() -> const ReferenceScene& { return rays; }},
+                                choice, kSampledWidth, kSampledHeight);
     }
 
     HeadlessContext context_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <map>
 #include <string>
 
@@ -71,49 +72,94 @@ inline void count_levels(const analysis::Tally& tally, Rates& rates) {
     rates.count("counts as independent", chi.has_value() && chi->p.p < .05);
 }
 
-/// What the whole analysis says of studies in which each of `people` answers. `share`: of B over
-/// all people in H1's conditions; `jod`: of Blizzard24 over None.
-inline void count_studies(const People& people, int participants, int studies, std::uint64_t seed,
-                          bool model, Rates& rates, double share = .5) {
+/// What is so over all people.
+struct Truth {
+    double share = .5;  ///< of B in H1's conditions, each variant as often first
+    double jod = 0.0;   ///< of Blizzard24 over None
+    double order =
+        0.0;  ///< by how much more often B is chosen where it is second, in all conditions
+};
+
+inline Truth truth_of(const People& people) {
+    constexpr std::array<std::size_t, 3> kFirst{1, 4, 6};  // II, V, VII
+    Truth truth;
+    truth.share = 0.0;
+    for (const std::size_t i : kFirst) {
+        for (const bool b_second : {false, true}) {
+            truth.share += share_of_b(people, i, b_second) / 6.0;
+        }
+    }
+    const boost::math::normal normal;
+    truth.jod = boost::math::quantile(normal, truth.share) / boost::math::quantile(normal, .75);
+    for (std::size_t i = 0; i < 7; ++i) {
+        truth.order += (share_of_b(people, i, true) - share_of_b(people, i, false)) / 7.0;
+    }
+    return truth;
+}
+
+inline void count_hypothesis(const analysis::HypothesisResult& result, const std::string& name,
+                             double share, Rates& rates) {
     using namespace analysis;
+    rates.count(name + ", sign flip", p_of(result)->p < .05);
+    rates.count(name + ", chi-square of votes", result.pooled.chi_square->p.p < .05);
+    rates.count(name + ", interval", holds(result.interval->bounds, share));
+    rates.count(name + ", credible interval", holds(result.posterior->interval, share));
+    if (result.model.has_value()) {
+        rates.count(name + ", mixed model", result.model->effect.p.p < .05);
+    }
+}
+
+inline void count_scale(const analysis::VariantScale& scale, double jod, Rates& rates) {
+    if (!scale.jod_intervals.has_value()) return;
+    for (std::size_t k = 1; k < scale.variants.size(); ++k) {
+        if (scale.variants[k] != "Blizzard24") continue;
+        rates.count("JOD, interval", holds((*scale.jod_intervals)[k], jod));
+        const double error = scale.thurstone->standard_errors[k];
+        rates.count("JOD, 1.96 SE", std::abs(scale.thurstone->values[k] - jod) < 1.96 * error);
+    }
+}
+
+/// What the whole analysis says of studies in which each of `people` answers.
+inline void count_studies(const People& people, int participants, int studies, std::uint64_t seed,
+                          bool model, Rates& rates) {
+    using namespace analysis;
+    const Truth truth = truth_of(people);
     base::Random random(seed);
     for (int i = 0; i < studies; ++i) {
         const Tally tally = study_of(people, participants, random);
         count_levels(tally, rates);
         const Analysis analysis = analyse(tally, {.model = model});
         const HypothesisResult& h1 = analysis.hypotheses.at(0);
-        rates.count("H1, sign flip", p_of(h1)->p < .05);
-        rates.count("H1, chi-square of votes", h1.pooled.chi_square->p.p < .05);
-        rates.count("H1, interval", holds(h1.interval->bounds, share));
-        rates.count("H1, credible interval", holds(h1.posterior->interval, share));
-        if (h1.model.has_value()) rates.count("H1, mixed model", h1.model->effect.p.p < .05);
+        count_hypothesis(h1, "H1", truth.share, rates);
         rates.count("conditions differ, Q",
                     h1.heterogeneity.has_value() && h1.heterogeneity->test.p.p < .05);
-        bool any = false;
-        for (const Comparison& comparison : analysis.validity->by_level) {
-            const bool differs = p_of(comparison)->p < .05;
-            rates.count("H3, McNemar", differs);
-            rates.count("H3, interval", holds(comparison.differences.at(0).interval, 0.0));
+        if (h1.model.has_value() && h1.model->conditions_differ.has_value()) {
+            rates.count("conditions differ, mixed model", h1.model->conditions_differ->p.p < .05);
         }
+        for (const Comparison& comparison : analysis.validity->by_level) {
+            rates.count("H3, McNemar", p_of(comparison)->p < .05);
+            rates.count("H3, interval", holds(comparison.differences.at(0).interval, 0.0));
+            if (comparison.model.has_value()) {
+                rates.count("H3, mixed model", comparison.model->effect.p.p < .05);
+            }
+        }
+        bool any = false;
         for (const Verdict& verdict : analysis.verdicts) {
             any |= verdict.p_holm.has_value() && *verdict.p_holm < .05;
+            const bool is_equal = verdict.conclusion == Conclusion::kEqual ||
+                                  verdict.conclusion == Conclusion::kSame || verdict.is_small;
+            if (verdict.hypothesis != "H2") {
+                rates.count(verdict.hypothesis + ", within 15 points", is_equal);
+            }
         }
         rates.count("any verdict of the family", any);
         const auto& order = analysis.order_bias->by_participant;
         rates.count("order", order.has_value() && order->p.p < .05);
         rates.count("order, counts", analysis.order_bias->exact->p < .05);
         if (order.has_value() && order->interval.has_value()) {
-            rates.count("order, interval", holds(*order->interval, 0.0));
+            rates.count("order, interval", holds(*order->interval, truth.order));
         }
-        const VariantScale& scale = analysis.scales.at(0);
-        if (!scale.jod_intervals.has_value()) continue;
-        for (std::size_t k = 1; k < scale.variants.size(); ++k) {
-            if (scale.variants[k] != "Blizzard24") continue;
-            rates.count("JOD, interval", holds((*scale.jod_intervals)[k], 0.0));
-            const double error = scale.bradley_terry->standard_errors[k];
-            rates.count("Bradley-Terry, 1.96 SE",
-                        std::abs(scale.bradley_terry->values[k]) < 1.96 * error);
-        }
+        count_scale(analysis.scales.at(0), truth.jod, rates);
     }
 }
 

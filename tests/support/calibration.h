@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -17,6 +19,7 @@ struct People {
     std::string name;
     double sd = 0.0;          ///< of a liking for B, log odds, shared over conditions
     double level_sd = 0.0;    ///< the same for each level of validity apart
+    double scene_sd = 0.0;    ///< the same for each scene apart
     double pull = 0.0;        ///< log odds of the image shown second
     double careless = 0.0;    ///< share of people who choose the first image always
     bool sides_vary = false;  ///< within a session
@@ -28,6 +31,32 @@ inline double normal(base::Random& random) {
     // G. E. P. Box and M. E. Muller 1958.
     return std::sqrt(-2.0 * std::log(1.0 - random.uniform())) *
            std::cos(2.0 * 3.14159265358979323846 * random.uniform());
+}
+
+/// Of choosing B, for somebody who likes it so much, log odds.
+inline double chance_of_b(const People& people, std::size_t condition, bool b_second,
+                          double liking) {
+    const double share = people.shares[condition];
+    const double odds =
+        std::log(share / (1.0 - share)) + liking + (b_second ? people.pull : -people.pull);
+    return 1.0 / (1.0 + std::exp(-odds));
+}
+
+/// The share of B in a condition over all people.
+inline double share_of_b(const People& people, std::size_t condition, bool b_second) {
+    const double sd = std::sqrt(people.sd * people.sd + people.level_sd * people.level_sd +
+                                people.scene_sd * people.scene_sd);
+    constexpr double kReach = 8.0;
+    constexpr int kSteps = 400;
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double z = kReach * (2.0 * i / kSteps - 1.0);
+        const double weight = std::exp(-z * z / 2.0);
+        sum += weight * chance_of_b(people, condition, b_second, sd * z);
+        weights += weight;
+    }
+    return (1.0 - people.careless) * sum / weights + (b_second ? 0.0 : people.careless);
 }
 
 /// One study of so many people, as its answers come to the analysis.
@@ -60,11 +89,14 @@ inline analysis::Tally study_of(const People& people, int participants, base::Ra
     }
     analysis::OrderVotes order;
     for (int who = 0; who < participants; ++who) {
-        tally.participants.push_back({"p" + std::to_string(who), {}, {}});
+        tally.participants.push_back({fmt::format("p{}", who), {}, {}});
         const double liking = people.sd * normal(random);
         const std::array<double, 3> by_level{people.level_sd * normal(random),
                                              people.level_sd * normal(random),
                                              people.level_sd * normal(random)};
+        const std::array<double, 3> by_scene{people.scene_sd * normal(random),
+                                             people.scene_sd * normal(random),
+                                             people.scene_sd * normal(random)};
         const bool is_careless = random.uniform() < people.careless;
         for (std::size_t i = 0; i < kShown.size(); ++i) {
             // Sides are swapped after seven participants, or alternate within a session.
@@ -73,10 +105,11 @@ inline analysis::Tally study_of(const People& people, int participants, base::Ra
             const std::size_t level = kShown[i].validity[0] == 'l'   ? 0
                                       : kShown[i].validity[0] == 'm' ? 1
                                                                      : 2;
-            const double share = people.shares[i];
-            const double odds = std::log(share / (1.0 - share)) + liking + by_level[level] +
-                                (b_second ? people.pull : -people.pull);
-            const bool likes_b = random.uniform() < 1.0 / (1.0 + std::exp(-odds));
+            const std::size_t scene = kShown[i].view[0] == 'r'   ? 0
+                                      : kShown[i].view[0] == 'a' ? 1
+                                                                 : 2;
+            const double own = liking + by_level[level] + by_scene[scene];
+            const bool likes_b = random.uniform() < chance_of_b(people, i, b_second, own);
             const bool chose_b = is_careless ? !b_second : likes_b;
             analysis::ConditionVotes& condition = tally.conditions[i];
             condition.answers.push_back({who, chose_b, b_second, static_cast<int>(i), 0.0});
@@ -91,14 +124,13 @@ inline analysis::Tally study_of(const People& people, int participants, base::Ra
 
 /// Ways of answering in which no image is preferred over all people, nor at any level.
 inline std::vector<People> nobody_prefers() {
-    std::vector<People> all(6);
-    all[0].name = "a";
-    all[1] = {.name = "b1", .sd = 1.0};
-    all[2] = {.name = "b2", .sd = 2.0};
-    all[3] = {.name = "bl", .level_sd = 2.0};
-    all[4] = {.name = "order", .sd = 1.0, .pull = .405};
-    all[5] = {.name = "careless", .sd = 1.0, .careless = .2};
-    return all;
+    return {{.name = "a"},
+            {.name = "b1", .sd = 1.0},
+            {.name = "b2", .sd = 2.0},
+            {.name = "bl", .level_sd = 2.0},
+            {.name = "bs", .scene_sd = 2.0},
+            {.name = "order", .sd = 1.0, .pull = .405},
+            {.name = "careless", .sd = 1.0, .careless = .2}};
 }
 
 /// Preferences that differ between scenes and not between levels.

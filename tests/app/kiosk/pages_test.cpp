@@ -19,7 +19,7 @@
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/screens.h"
 #include "app/kiosk/stage.h"
-#include "app/kiosk/theme.h"
+#include "app/window/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
 
@@ -285,7 +285,7 @@ TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
 }
 
 TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
-    using namespace theme;
+    using namespace window::theme;
     ShownPage page = show([&] { return pairs_screen(ui_.fonts(), 1, 3); });
     page.draw();
     int letters = 0;

@@ -13,8 +13,8 @@
 #include "app/kiosk/clock.h"
 #include "app/kiosk/letters.h"
 #include "app/kiosk/stage.h"
-#include "app/kiosk/theme.h"
 #include "app/kiosk/window.h"
+#include "app/window/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
 // Only for the names of the keys.
@@ -191,7 +191,7 @@ TEST(Saving, APageStandsOnTheScreenWhileTheStoreTakesItsTime) {
     bool page_shown = false;
     // The work ends when the page is to be seen, and not before.
     const int done = done_aside(stage, page_shown, [&display] {
-        const auto card = static_cast<int>(theme::kCard.x * 255.0F + 0.5F);
+        const auto card = static_cast<int>(window::theme::kCard.x * 255.0F + 0.5F);
         const double end_s = monotonic_s() + kPatience_s;
         while (monotonic_s() < end_s) {
             const stimuli::RgbImage screen = display.screen();
@@ -222,7 +222,7 @@ TEST(Saving, APageStandsOnTheScreenWhileTheStoreTakesItsTime) {
 }
 
 TEST(Theme, EveryTextHasSevenToOneWithWhatIsBehindIt) {
-    using namespace theme;
+    using namespace window::theme;
     EXPECT_DOUBLE_EQ(contrast({0, 0, 0, 1}, {1, 1, 1, 1}), 21.0);
     for (const ImVec4& behind : {kCard, kField, kFieldHovered}) {
         EXPECT_GE(contrast(kInk, behind), 7.0);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace obscura::app::kiosk {
+namespace obscura::app::window {
 
 /// The characters of UTF-8 texts, without the ends of lines.
 [[nodiscard]] std::set<char32_t> characters_of(const std::vector<std::string>& texts);
@@ -25,4 +25,4 @@ struct FontChoice {
 /// By fontconfig; only fonts with outlines of one colour count, which the pages can draw.
 [[nodiscard]] FontChoice choose_fonts(const std::set<char32_t>& characters);
 
-}  // namespace obscura::app::kiosk
+}  // namespace obscura::app::window

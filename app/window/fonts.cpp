@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/kiosk/fonts.h"
+#include "app/window/fonts.h"
 
 #include <imgui.h>
 #include <imgui_freetype.h>
@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/kiosk/font_files.h"
+#include "app/window/font_files.h"
 #include "renderer/base/error.h"
 
-namespace obscura::app::kiosk {
+namespace obscura::app::window {
 namespace {
 
 /// Heights of the text for a window 1000 pixels high.
@@ -39,7 +39,14 @@ constexpr float kLargestScale = 2.0F;
 
 }  // namespace
 
-Fonts load_fonts(const std::vector<std::string>& texts, int window_height) {
+FontSizes sizes_of_pages(int window_height) {
+    const float scale = std::clamp(static_cast<float>(window_height) / kReferenceHeight,
+                                   kSmallestScale, kLargestScale);
+    return {std::round(kText_px * scale), std::round(kHeading_px * scale),
+            std::round(kSmall_px * scale)};
+}
+
+Fonts load_fonts(const std::vector<std::string>& texts, const FontSizes& sizes) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     ImFontGlyphRangesBuilder builder;
@@ -57,14 +64,12 @@ Fonts load_fonts(const std::vector<std::string>& texts, int window_height) {
     if (fonts.empty()) {
         throw base::failure("fontconfig finds no TrueType font; install fonts-dejavu-core");
     }
-    const float scale = std::clamp(static_cast<float>(window_height) / kReferenceHeight,
-                                   kSmallestScale, kLargestScale);
     Fonts loaded;
-    loaded.text = add_font(fonts, std::round(kText_px * scale), ranges);
-    loaded.heading = add_font(fonts, std::round(kHeading_px * scale), ranges);
-    loaded.small = add_font(fonts, std::round(kSmall_px * scale), ranges);
+    loaded.text = add_font(fonts, sizes.text_px, ranges);
+    loaded.heading = add_font(fonts, sizes.heading_px, ranges);
+    loaded.small = add_font(fonts, sizes.small_px, ranges);
     if (!atlas.Build()) throw base::failure("cannot draw the font {}", fonts.front().path);
     return loaded;
 }
 
-}  // namespace obscura::app::kiosk
+}  // namespace obscura::app::window

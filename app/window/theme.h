@@ -6,7 +6,7 @@
 
 /// The pages' colours, sRGB from 0 to 1. Text has a contrast of at least 7:1 with what is behind it
 /// (WCAG 2.2, success criterion 1.4.6), as a test computes.
-namespace obscura::app::kiosk::theme {
+namespace obscura::app::window::theme {
 
 inline const ImVec4 kCard{0.855F, 0.858F, 0.862F, 1.0F};
 inline const ImVec4 kField{0.955F, 0.957F, 0.960F, 1.0F};
@@ -23,4 +23,4 @@ inline const ImVec4 kQuietHovered{0.70F, 0.712F, 0.728F, 1.0F};
 inline const ImVec4 kQuietPressed{0.67F, 0.685F, 0.702F, 1.0F};
 inline const ImVec4 kComplaint{0.50F, 0.08F, 0.06F, 1.0F};
 
-}  // namespace obscura::app::kiosk::theme
+}  // namespace obscura::app::window::theme

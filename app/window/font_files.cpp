@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/kiosk/font_files.h"
+#include "app/window/font_files.h"
 
 #include <fontconfig/fontconfig.h>
 
 #include <memory>
 
-namespace obscura::app::kiosk {
+namespace obscura::app::window {
 namespace {
 
 template <auto Destroy>
@@ -103,4 +103,4 @@ FontChoice choose_fonts(const std::set<char32_t>& characters) {
     return choice;
 }
 
-}  // namespace obscura::app::kiosk
+}  // namespace obscura::app::window
