@@ -45,6 +45,8 @@ Asked parse(const std::string& text) {
     const renderer::Technique* technique = renderer::find_technique(arguments.technique);
     if (technique != nullptr) arguments.denoise = renderer::standard_denoise(*technique);
     for (std::string word; words >> word;) {
+        const bool starts = word.find('~') != std::string::npos;
+        if (starts) word[word.find('~')] = '=';
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals);
         if (equals == std::string::npos) {
@@ -55,7 +57,7 @@ Asked parse(const std::string& text) {
             arguments.preset = word.substr(equals + 1);
         } else {
             arguments.settings.push_back(word);
-            asked.set.insert(key);
+            if (!starts) asked.set.insert(key);
         }
     }
     asked.variant = variant_from(arguments);
