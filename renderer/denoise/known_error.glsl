@@ -5,8 +5,10 @@
 // variance. One yes-or-no sample of the mean m has a variance of m (1 - m), and N that keep their distance
 // of N^-1.5 times that (Owen 1997, for jumps in two dimensions); what the neighbours vary more than that
 // is the image's own, and the pixel keeps as much of its own value. So the more samples there are, the
-// less is smoothed; from four on, a narrower surrounding is enough. A neighbour is on the surface as far as its depth follows the pixel's
-// own plane, on which the reciprocal of depth is linear in the image, and its normal the pixel's normal.
+// less is smoothed; from four on, a narrower surrounding is enough. Samples that repeat over a tile have
+// no error of chance: u_samples is 0, and all of it is smoothed. A neighbour is on the surface as far as
+// its depth follows the pixel's own plane, on which the reciprocal of depth is linear in the image, and
+// its normal the pixel's normal.
 // ACROSS is the first pass, which hands on mean and mean square along a row.
 #include "passes/normal_codec.glsl"
 #include "passes/shared_constants.h"

@@ -75,7 +75,11 @@ void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass,
     program.set("u_level", level);
     program.set("u_layer", layer);
     program.set("u_frame", pass.frame);
-    program.set("u_samples", job.plan.variant.samples);
+    // Where samples repeat over a tile, a pixel's own error is not that of so many.
+    const Technique* technique = find_technique(job.plan.variant.technique);
+    const bool tiled = technique != nullptr && !technique->ray_traced;
+    const bool of_filter = pass.phase == Phase::kDenoise;
+    program.set("u_samples", of_filter && tiled ? 0 : job.plan.variant.samples);
     for (const auto& [name, value] : job.plan.parameters) {
         program.set(("p_" + name).c_str(), static_cast<float>(value));
     }

@@ -218,10 +218,7 @@ void Planner::plan_occluders() {
 }
 
 void Planner::plan_second_layer() {
-    if (!recipe_.reads(Target::kSecondDepth)) {
-        leave_out("second layer", "the technique reads one layer of depth");
-        return;
-    }
+    if (!recipe_.reads(Target::kSecondDepth)) return;
     pass(Phase::kSecondLayer, {plan_.seen_by_technique(Target::kDepth)},
          {Target::kSecondVisibility, Target::kSecondDepth});
 }

@@ -45,6 +45,15 @@ Admitted as_stored(Admitted pixel, const std::string& format) {
     return pixel;
 }
 
+namespace {
+
+/// What a filter is told: samples that repeat over a tile have no error that it could know.
+int samples_of_rays(const Variant& variant) {
+    return find_technique(variant.technique)->ray_traced ? variant.samples : 0;
+}
+
+}  // namespace
+
 SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
     const FramePlan& plan = frame.plan();
     const std::string normal = plan.seen_by_technique(Target::kNormal);
@@ -59,7 +68,7 @@ SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
         .normal_format = plan.variant.normal_format,
         .second_m = {},
         .second_step = plan.second_step,
-        .samples = plan.variant.samples};
+        .samples = samples_of_rays(plan.variant)};
     for (float& depth_m : buffers.depth_m) {
         // Half floats may hold infinity there; a shader sees no difference.
         if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
