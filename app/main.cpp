@@ -9,8 +9,10 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/commands/list.h"
+#include "app/commands/manual.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/scenes/open_scene.h"
@@ -33,20 +35,30 @@ void refuse_empty_values(int argc, char** argv) {
 }
 
 /// The first word that is neither an option nor a command is most often a command misspelt.
-void name_unknown_command(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word == "--data" || word == "--allow") {
+void name_unknown_command(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--data" || words[i] == "--allow") {
             ++i;
-        } else if (!word.starts_with("-")) {
+        } else if (!words[i].starts_with("-")) {
             std::string known;
             for (const obscura::app::Command& command : obscura::app::commands()) {
-                if (command.name == word) return;
+                if (command.name == words[i]) return;
                 known += (known.empty() ? "" : ", ") + command.name;
             }
-            throw obscura::base::bad_input("there is no command \"{}\"; there are {}", word, known);
+            throw obscura::base::bad_input("there is no command \"{}\"; there are {}", words[i],
+                                           known);
         }
     }
+}
+
+/// `help` and `help COMMAND` as `--help` and `COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    return words;
 }
 
 int run(int argc, char** argv) {
@@ -66,13 +78,26 @@ int run(int argc, char** argv) {
         .repeatable();
     program.add_flag("--quiet", globals.quiet, "Say only warnings and errors");
 
+    bool wants_manual = false;
+    std::string shell;
+    program.add("--completion", shell, "Print what a shell needs to complete words, and exit")
+        .one_of(obscura::app::known_shells());
+    program.add_flag("--manual", wants_manual, "Print the manual page (troff), and exit");
+
     std::function<ExitCode()> chosen;
     for (const obscura::app::Command& command : obscura::app::commands()) {
         const obscura::app::Options options = program.add_command(command.name, command.summary);
         options.when_given([&chosen, act = command.attach(options, globals)] { chosen = act; });
     }
-    name_unknown_command(argc, argv);
-    if (!line.parse({argv + 1, argv + argc})) return static_cast<int>(ExitCode::kDone);
+    // These two need no command, which all else does.
+    const std::vector<std::string> words = words_of(argc, argv);
+    if (const std::string text = obscura::app::manual_or_completion(words, line.described());
+        !text.empty()) {
+        std::fputs(text.c_str(), stdout);
+        return static_cast<int>(ExitCode::kDone);
+    }
+    name_unknown_command(words);
+    if (!line.parse(words)) return static_cast<int>(ExitCode::kDone);
     obscura::base::log::set_up(globals.quiet);
     obscura::stimuli::allow_folders(globals.allowed);
     const ExitCode code = chosen();

@@ -4,14 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/images/images.h"
 #include "stimuli/variant_format.h"
 
 namespace obscura::stimuli {
@@ -134,14 +133,12 @@ ManifestPair pair_from(const Json& json) {
 
 /// Looks at the file itself, since a manifest can be edited.
 std::string problem_of_size(const Study& study, const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) {
-        return fmt::format("{}: no image that can be read: {}", path.string(), OIIO::geterror());
-    }
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width == study.width && spec.height == study.height) return "";
+    std::string why;
+    const std::unique_ptr<images::Reader> image = images::library().open(path, why);
+    if (!image) return fmt::format("{}: no image that can be read: {}", path.string(), why);
+    if (image->width == study.width && image->height == study.height) return "";
     return fmt::format("{}: the image is {}x{} pixels, the study asks for {}x{}", path.string(),
-                       spec.width, spec.height, study.width, study.height);
+                       image->width, image->height, study.width, study.height);
 }
 
 std::string in_words(const std::string& source, const std::string& camera,

@@ -34,7 +34,14 @@ function(obscura_tests name)
     list(REMOVE_DUPLICATES suites)
     foreach(suite IN LISTS suites)
         add_test(NAME ${suite} COMMAND ${program} "--gtest_filter=${suite}.*:*/${suite}.*")
-        set_tests_properties(${suite} PROPERTIES LABELS ${name})
+        # What is slow begins early, so that nothing is left to wait for alone.
+        set(cost 0)
+        if(name STREQUAL "kiosk")
+            set(cost 2)
+        elseif(name STREQUAL "gpu")
+            set(cost 1)
+        endif()
+        set_tests_properties(${suite} PROPERTIES LABELS ${name} COST ${cost})
     endforeach()
     add_test(NAME "${program} has no other suites"
         COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" "-DSUITES=${suites}"

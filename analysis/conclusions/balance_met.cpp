@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostConditions = 1000;
 
 /// One vote's place in the session and its condition.
-using Place = std::pair<std::int32_t, std::size_t>;
+using SlotSide = std::pair<std::int32_t, std::size_t>;
 
 Evenness evenness(const std::vector<std::int64_t>& counts) {
     if (counts.empty()) return {};
@@ -35,7 +35,7 @@ BalanceMet balance_met(const Tally& tally) {
         met.unknown = "there are more than a thousand conditions";
     }
     if (!met.unknown.empty()) return met;
-    std::vector<std::vector<Place>> sessions(tally.participants.size());
+    std::vector<std::vector<SlotSide>> sessions(tally.participants.size());
     std::map<std::int32_t, std::size_t> columns;
     for (std::size_t i = 0; i < conditions; ++i) {
         for (const Answer& answer : tally.conditions[i].answers) {
@@ -55,7 +55,7 @@ BalanceMet balance_met(const Tally& tally) {
     for (auto& [position, column] : columns) column = next++;
     std::vector<std::int64_t> at_place(conditions * columns.size());
     std::vector<std::int64_t> after(conditions * conditions);
-    for (std::vector<Place>& session : sessions) {
+    for (std::vector<SlotSide>& session : sessions) {
         std::sort(session.begin(), session.end());
         for (std::size_t k = 0; k < session.size(); ++k) {
             const auto& [position, condition] = session[k];

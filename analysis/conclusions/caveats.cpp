@@ -224,12 +224,10 @@ void add_views(std::vector<Caveat>& caveats, const std::vector<ShownPair>& pairs
         if (own.size() == 1) once.push_back(scene);
     }
     if (once.empty()) return;
-    caveats.push_back(
-        {"One view a scene",
-         fmt::format("{} of {} ({}) {} seen from one camera only. Scenes and views are fixed, not "
-                     "drawn: nothing here generalises to others.",
-                     once.size(), counted(static_cast<std::int64_t>(cameras.size()), "scene"),
-                     listed(once), once.size() == 1 ? "is" : "are")});
+    caveats.push_back({"One view a scene",
+                       fmt::format("{} of {} ({}) {} seen from one camera only.", once.size(),
+                                   counted(static_cast<std::int64_t>(cameras.size()), "scene"),
+                                   listed(once), once.size() == 1 ? "is" : "are")});
 }
 
 Caveat display(const Tally& tally, const Possible<Attendance>& attendance) {
@@ -277,6 +275,9 @@ std::vector<Caveat> caveats_of(const Analysis& analysis, const std::vector<Shown
                 "Of this program's images, which are not those of 2010: " + caveats[i].sentence;
         }
     }
+    caveats.push_back({"Scenes and views",
+                       "They are fixed, not drawn: nothing here generalises to others, for which "
+                       "many would have to be drawn (H. H. Clark 1973)."});
     caveats.push_back(display(tally, attendance));
     return caveats;
 }

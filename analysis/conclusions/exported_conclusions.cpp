@@ -26,13 +26,27 @@ const ConditionVotes& condition_of(const Analysis& analysis, const std::string& 
     return *found;  // tests are of conditions of the tally
 }
 
+const char* role_of(bool is_primary) { return is_primary ? "primary" : "secondary"; }
+
+ExportedTest not_repeated(ExportedTest like, const std::string& test, const char* role) {
+    like.test = test;
+    like.role = role;
+    like.question = "none";
+    return like;
+}
+
 void add_preferences(std::vector<ExportedTest>& tests, const Analysis& analysis,
                      const ExportedTest& like) {
     for (const HypothesisResult& hypothesis : analysis.hypotheses) {
-        if (!hypothesis.pooling.has_value()) continue;
+        const char* const role = role_of(hypothesis.is_primary);
+        if (!hypothesis.pooling.has_value()) {
+            tests.push_back(not_repeated(like, hypothesis.name, role));
+            continue;
+        }
         for (std::size_t i = 0; i < hypothesis.conditions.size(); ++i) {
             ExportedTest& row = tests.emplace_back(like);
             row.test = hypothesis.name;
+            row.role = role;
             row.question = "preference";
             row.condition = hypothesis.conditions[i];
             row.level = condition_of(analysis, row.condition).validity;
@@ -63,9 +77,20 @@ std::vector<std::int64_t> weights_of(const std::vector<const ConditionVotes*>& c
 void add_interactions(std::vector<ExportedTest>& tests, const Analysis& analysis,
                       const ExportedTest& like) {
     if (!analysis.validity.has_value()) return;
-    for (const Comparison& comparison : analysis.validity->by_level) {
+    const ValidityResult& validity = *analysis.validity;
+    const char* const role = role_of(validity.is_primary);
+    for (std::size_t i = validity.by_level.size(); i < std::max<std::size_t>(validity.planned, 1);
+         ++i) {
+        tests.push_back(
+            not_repeated(like, fmt::format("{}: not compared {}", validity.name, i + 1), role));
+    }
+    for (const Comparison& comparison : validity.by_level) {
+        const std::string name = fmt::format("{}: {}", validity.name, what_is_compared(comparison));
         // A large-sample test over incomplete answers is not one that tables repeat.
-        if (comparison.contrast.has_value() && !comparison.contrast->is_exact) continue;
+        if (comparison.contrast.has_value() && !comparison.contrast->is_exact) {
+            tests.push_back(not_repeated(like, name, role));
+            continue;
+        }
         const bool is_weighed =
             comparison.contrast.has_value() || comparison.conditions.size() == 2;
         std::vector<const ConditionVotes*> conditions;
@@ -75,7 +100,8 @@ void add_interactions(std::vector<ExportedTest>& tests, const Analysis& analysis
         const std::vector<std::int64_t> weights = weights_of(conditions);
         for (std::size_t i = 0; i < conditions.size(); ++i) {
             ExportedTest& row = tests.emplace_back(like);
-            row.test = fmt::format("{}: {}", analysis.validity->name, what_is_compared(comparison));
+            row.test = name;
+            row.role = role;
             row.question = is_weighed ? "interaction" : "levels";
             row.condition = conditions[i]->id;
             row.level = conditions[i]->validity;
@@ -129,7 +155,7 @@ std::vector<std::string> add_conclusions(ExportOptions& options, Store& store,
     for (const auto& [study, kind] : analysed) {
         try {
             const Analysis analysis = analyse(named_tally(answers, study, kind, options.studies));
-            const ExportedTest like{study, kind, {}, {}, {}, {}, {}};
+            const ExportedTest like{.study = study, .kind = kind};
             add_preferences(options.tests, analysis, like);
             add_interactions(options.tests, analysis, like);
             add_exclusions(options, analysis, answers, study, kind);

@@ -54,10 +54,10 @@ std::string sentence_of(const HypothesisResult& result, std::size_t tests) {
     }
     const Votes& votes = result.pooled.votes;
     return fmt::format(
-        "{} ({}): together {} for A and {} for B ({:.1f} % B), chi-square {:.4g}, df {}, p {} "
+        "{} ({}): together {} for A and {} for B ({:.1f} % B), chi-square {:.4g}, df {}, {} "
         "where all votes are taken as independent. {}. {}",
         result.name, fmt::join(result.conditions, ", "), counted(votes.a, "vote"), votes.b,
-        100.0 * *result.pooled.share_b, test->statistic, test->df, p_text(test->p),
+        100.0 * *result.pooled.share_b, test->statistic, test->df, p_words(test->p),
         capital(result.pooling->words), alone_words(result, tests));
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/conclusions/model_check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,14 @@ struct ModelledCondition {
 };
 
 /// What is fitted: conditions by their place in Tally::conditions, and the number of their terms.
-/// The order's term comes after them. The effect that is tested is term 0.
+/// The order's term comes after them.
 struct Design {
     std::map<std::uint32_t, ModelledCondition> conditions;
     std::size_t terms = 0;
+    bool has_effect = true;  ///< term 0 is the effect that is tested
+    /// The terms, from the first, without those whose likelihood ratio says whether conditions or
+    /// levels differ.
+    std::size_t nested = 0;
 };
 
 /// The answers to the design's conditions, participants who answered alike together.
@@ -114,8 +119,8 @@ ModelTerm term_of(const MixedLogistic& fit, std::size_t place) {
     return term;
 }
 
-/// `nested`: the number of terms, from the first, without those that say whether conditions differ.
-Possible<ModelCheck> checked(const ModelAnswers& answered, std::size_t terms, std::size_t nested) {
+Possible<ModelCheck> checked(const ModelAnswers& answered, const Design& design) {
+    const auto& [conditions, terms, has_effect, nested] = design;
     using None = Possible<ModelCheck>;
     if (answered.predictors() > kMostPredictors) {
         return None::none(fmt::format("more than {} terms", kMostPredictors));
@@ -126,7 +131,7 @@ Possible<ModelCheck> checked(const ModelAnswers& answered, std::size_t terms, st
     check.participants = answered.participants();
     check.nodes = kMixedNodes;
     check.sd = fit->sd;
-    check.effect = term_of(*fit, 0);
+    if (has_effect) check.effect = term_of(*fit, 0);
     if (answered.has_order()) {
         check.order = term_of(*fit, terms);
     } else {
@@ -155,6 +160,7 @@ Design design_of(const HypothesisResult& result, const Places& places) {
     Design design;
     const std::size_t conditions = result.conditions.size();
     design.terms = conditions;
+    design.nested = 1;
     for (std::size_t i = 0; i < conditions; ++i) {
         ModelledCondition& own = design.conditions[places.at(result.conditions[i])];
         own.is_turned = result.pooling->turned[i];
@@ -170,7 +176,7 @@ Design design_of(const HypothesisResult& result, const Places& places) {
     return design;
 }
 
-/// The difference between two levels, and a term for each scene.
+/// The difference between two levels, or those between more, and a term for each scene.
 Design design_of(const Comparison& comparison, const Analysis& analysis, const Places& places) {
     Design design;
     std::vector<std::string_view> views;
@@ -182,10 +188,26 @@ Design design_of(const Comparison& comparison, const Analysis& analysis, const P
         if (known == views.end()) views.push_back(condition.view);
         ModelledCondition& own = design.conditions[place];
         own.is_turned = comparison.turned[i];
-        own.x.emplace_back(0, condition.validity == comparison.levels.front() ? -.5 : .5);
-        own.x.emplace_back(view + 1, 1.0);
+        own.x.emplace_back(view, 1.0);
     }
-    design.terms = views.size() + 1;
+    const std::size_t levels = comparison.levels.size();
+    design.has_effect = levels == 2;
+    design.terms = views.size() + levels - 1;
+    design.nested = design.has_effect ? design.terms : views.size();
+    for (std::size_t i = 0; i < comparison.conditions.size(); ++i) {
+        const std::uint32_t place = places.at(comparison.conditions[i]);
+        auto& x = design.conditions[place].x;
+        const auto level =
+            static_cast<std::size_t>(std::find(comparison.levels.begin(), comparison.levels.end(),
+                                               analysis.conditions[place].condition.validity) -
+                                     comparison.levels.begin());
+        if (design.has_effect) {
+            x.front().first += 1;
+            x.emplace(x.begin(), 0, level == 0 ? -.5 : .5);
+        } else if (level > 0) {
+            x.emplace_back(views.size() + level - 1, 1.0);
+        }
+    }
     return design;
 }
 
@@ -204,43 +226,44 @@ void check_by_model(Analysis& analysis) {
             continue;
         }
         const Design design = design_of(result, places);
-        result.model = checked(ModelAnswers(tally, votes, design), design.terms, 1);
+        result.model = checked(ModelAnswers(tally, votes, design), design);
     }
     if (!analysis.validity.has_value()) return;
     for (Comparison& comparison : analysis.validity.value->by_level) {
-        if (comparison.levels.size() != 2) {
-            comparison.model = Possible<ModelCheck>::none("more than two levels");
-            continue;
-        }
         const Design design = design_of(comparison, analysis, places);
-        comparison.model = checked(ModelAnswers(tally, votes, design), design.terms, design.terms);
+        comparison.model = checked(ModelAnswers(tally, votes, design), design);
     }
 }
 
 std::string model_words(const Possible<ModelCheck>& model, const Possible<PValue>& tested) {
     if (!model.has_value()) return fmt::format("no model: {}", model.reason);
-    const ModelTerm& effect = model->effect;
-    std::string text = fmt::format(
-        "log odds {:+.3f}, standard error {:.3f}, 95 % interval {:+.3f} to {:+.3f}, p {}; standard "
-        "deviation between participants {:.3f}",
-        effect.log_odds, effect.standard_error, effect.interval.low, effect.interval.high,
-        p_text(effect.p), model->sd);
+    std::vector<std::string> parts;
+    if (model->effect.has_value()) {
+        const ModelTerm& effect = *model->effect;
+        parts.push_back(fmt::format(
+            "log odds {:+.3f}, standard error {:.3f}, 95 % interval {:+.3f} to {:+.3f}, {}",
+            effect.log_odds, effect.standard_error, effect.interval.low, effect.interval.high,
+            p_words(effect.p)));
+    }
+    parts.push_back(fmt::format("standard deviation between participants {:.3f}", model->sd));
     if (model->order.has_value()) {
-        text += fmt::format("; order term {:+.3f} (standard error {:.3f})", model->order->log_odds,
-                            model->order->standard_error);
+        parts.push_back(fmt::format("order term {:+.3f} (standard error {:.3f})",
+                                    model->order->log_odds, model->order->standard_error));
     }
     if (model->conditions_differ.has_value()) {
         const ChiSquareTest& test = *model->conditions_differ;
-        text += fmt::format("; conditions differ: likelihood ratio {:.3f}, df {}, p {}",
-                            test.statistic, test.df, p_text(test.p));
+        parts.push_back(fmt::format("{} differ: likelihood ratio {:.3f}, df {}, {}",
+                                    model->effect.has_value() ? "conditions" : "levels",
+                                    test.statistic, test.df, p_words(test.p)));
     }
-    if (!tested.has_value()) return text;
-    const bool agree = (effect.p.p < kSignificance) == (tested->p < kSignificance);
-    return text + (agree
-                       ? fmt::format(". Like the test, it is {} {:g}",
-                                     effect.p.p < kSignificance ? "below" : "above", kSignificance)
-                       : fmt::format(". It parts from the test (p {}), on which the verdict rests",
-                                     p_text(*tested)));
+    const std::string text = fmt::format("{}", fmt::join(parts, "; "));
+    const auto p = p_of(*model);
+    if (!tested.has_value() || !p.has_value()) return text;
+    const bool agree = (p->p < kSignificance) == (tested->p < kSignificance);
+    return text + (agree ? fmt::format(". Like the test, it is {} {:g}",
+                                       p->p < kSignificance ? "below" : "above", kSignificance)
+                         : fmt::format(". It parts from the test ({}), on which the verdict rests",
+                                       p_words(*tested)));
 }
 
 }  // namespace obscura::analysis

@@ -6,7 +6,7 @@
 
 namespace obscura::analysis {
 
-/// Fits the mixed model of every hypothesis with pooled votes and of every comparison between two
+/// Fits the mixed model of every hypothesis with pooled votes and of every comparison between
 /// levels: HypothesisResult::model and Comparison::model. Needs to know each answer.
 void check_by_model(Analysis& analysis);
 

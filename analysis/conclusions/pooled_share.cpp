@@ -177,13 +177,13 @@ std::string test_words(const HypothesisResult& result) {
     if (result.by_participant.has_value()) {
         const SignFlipTest& test = *result.by_participant;
         return fmt::format(
-            "{} test over participants by flipping signs, {} of them with a preference, p {}",
-            test.is_exact ? "exact" : "large-sample", test.participants, p_text(*p));
+            "{} test over participants by flipping signs, {} of them with a preference, {}",
+            test.is_exact ? "exact" : "large-sample", test.participants, p_words(*p));
     }
     if (result.interval->kind != ShareIntervalKind::kCounts) {
-        return fmt::format("every participant chose both sides equally often, p {}", p_text(*p));
+        return fmt::format("every participant chose both sides equally often, {}", p_words(*p));
     }
-    return fmt::format("exact binomial test p {}{}", p_text(*p),
+    return fmt::format("exact binomial test {}{}", p_words(*p),
                        result.conditions.size() > 1
                            ? ", each participant counted once because who gave the votes is not "
                              "known"

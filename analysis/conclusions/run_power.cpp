@@ -10,23 +10,11 @@
 namespace obscura::analysis {
 namespace {
 
-/// The smallest share above one half that n votes detect: the power grows with it.
-Possible<double> detectable_share(std::int64_t n, double level) {
-    constexpr double kSure = 1.0 - 1e-9;
-    const auto is_enough = [&](double share) {
-        return power_of(SplitTest::kExact, n, share, level).power >= kAskedPower;
-    };
-    if (!is_enough(kSure)) {
-        return Possible<double>::none(
-            fmt::format("{} detect{} no share", counted(n, "vote"), n == 1 ? "s" : ""));
-    }
-    double low = 0.5;
-    double high = kSure;
-    while (high - low > 1e-7) {
-        const double middle = (low + high) / 2.0;
-        (is_enough(middle) ? high : low) = middle;
-    }
-    return high;
+Possible<double> detectable(std::int64_t n, double level) {
+    const auto share = detectable_share(SplitTest::kExact, n, level, kAskedPower);
+    if (share.has_value()) return share;
+    return Possible<double>::none(
+        fmt::format("{} detect{} no share", counted(n, "vote"), n == 1 ? "s" : ""));
 }
 
 std::int64_t median_votes(const std::vector<ConditionResult>& conditions) {
@@ -56,8 +44,8 @@ Possible<RunPower> run_power(const std::vector<ConditionResult>& conditions) {
                                 power_of(SplitTest::kChiSquare, power.n, share, kSignificance),
                                 power_of(SplitTest::kExact, power.n, share, holm_level)});
     }
-    power.detectable = detectable_share(power.n, kSignificance);
-    power.detectable_holm = detectable_share(power.n, holm_level);
+    power.detectable = detectable(power.n, kSignificance);
+    power.detectable_holm = detectable(power.n, holm_level);
     return power;
 }
 

@@ -74,13 +74,13 @@ std::string who(const SameParticipants& same) {
 
 std::string mcnemar_words(const SameParticipants& same) {
     if (!same.mcnemar.has_value()) {
-        return fmt::format("McNemar's exact test {}, nobody changed the answer, p {}", who(same),
-                           p_text(PValue{}));
+        return fmt::format("McNemar's exact test {}, nobody changed the answer, {}", who(same),
+                           p_words(PValue{}));
     }
     const McNemarTest& test = *same.mcnemar;
     const std::string changes =
         fmt::format("{} changed from B to A, {} from A to B", same.changed.a, same.changed.b);
-    return fmt::format("McNemar's exact test {}, {}, p {}", who(same), changes, p_text(test.exact));
+    return fmt::format("McNemar's exact test {}, {}, {}", who(same), changes, p_words(test.exact));
 }
 
 std::string contrast_words(const LevelContrast& contrast, const Comparison& comparison) {
@@ -92,15 +92,15 @@ std::string contrast_words(const LevelContrast& contrast, const Comparison& comp
     if (contrast.left_out > 0) {
         text += fmt::format(" ({} who did not answer all left out)", contrast.left_out);
     }
-    return text + fmt::format(", p {}", p_text(contrast.p));
+    return text + fmt::format(", {}", p_words(contrast.p));
 }
 
 std::string counts_words(const Comparison& comparison) {
     if (!comparison.test.has_value()) return fmt::format("no test, {}", comparison.test.reason);
-    std::string text = fmt::format("chi-square {:.4g}, df {}, p {}", comparison.test->statistic,
-                                   comparison.test->df, p_text(comparison.test->p));
+    std::string text = fmt::format("chi-square {:.4g}, df {}, {}", comparison.test->statistic,
+                                   comparison.test->df, p_words(comparison.test->p));
     if (comparison.fisher.has_value()) {
-        text = fmt::format("Fisher's exact p {}, {}", p_text(*comparison.fisher), text);
+        text = fmt::format("Fisher's exact {}, {}", p_words(*comparison.fisher), text);
     }
     const std::string& why = comparison.conditions.size() > comparison.votes.size()
                                  ? comparison.contrast.reason
@@ -157,11 +157,11 @@ std::string test_words(const Comparison& comparison) {
     const SameParticipants& same = *comparison.same_participants;
     if (comparison.votes.size() == 2) return mcnemar_words(same);
     if (!same.cochran_q.has_value()) {
-        return fmt::format("Cochran's Q {}, each answered alike at every level, p {}", who(same),
-                           p_text(PValue{}));
+        return fmt::format("Cochran's Q {}, each answered alike at every level, {}", who(same),
+                           p_words(PValue{}));
     }
-    return fmt::format("Cochran's Q {}, Q {:.4g}, df {}, p {}", who(same),
-                       same.cochran_q->statistic, same.cochran_q->df, p_text(same.cochran_q->p));
+    return fmt::format("Cochran's Q {}, Q {:.4g}, df {}, {}", who(same), same.cochran_q->statistic,
+                       same.cochran_q->df, p_words(same.cochran_q->p));
 }
 
 }  // namespace obscura::analysis

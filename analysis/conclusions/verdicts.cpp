@@ -8,57 +8,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/conclusions/corrected_tests.h"
 #include "analysis/conclusions/hypotheses.h"
 #include "analysis/conclusions/pooled_share.h"
+#include "analysis/conclusions/validity_verdict.h"
 #include "analysis/conclusions/words.h"
-#include "analysis/statistics/holm.h"
 #include "analysis/text/natural_order.h"
 
 namespace obscura::analysis {
 namespace {
-
-constexpr const char* kSecondary = "secondary: it stands alone";
-
-/// Tests of all verdicts, corrected together. What it holds follows from the study and not from who
-/// answered: a test that could not be computed is one of them, with p = 1.
-class CorrectedTests {
-  public:
-    explicit CorrectedTests(const Possible<LookResult>& look) : look_(look) {}
-
-    /// The place of the test in the family.
-    std::size_t add(const Possible<PValue>& p) {
-        p_values_.push_back(!p.has_value() ? 1.0 : look_.has_value() ? look_->spent(p->p) : p->p);
-        is_computed_.push_back(p.has_value());
-        return p_values_.size() - 1;
-    }
-    void correct() { corrected_ = holm(p_values_); }
-    [[nodiscard]] std::size_t size() const { return p_values_.size(); }
-    [[nodiscard]] Possible<double> at(std::size_t place) const {
-        if (!is_computed_[place]) return Possible<double>::none("no test");
-        return corrected_[place];
-    }
-
-    /// `(0.0231 after Holm's correction for 4 tests)`, and after spending where looks are spent
-    /// for.
-    [[nodiscard]] std::string words(const Possible<double>& p_holm) const {
-        if (!p_holm.has_value()) return "";
-        constexpr double kSmallest = 1e-290;  // a corrected p carries no logarithm
-        const bool is_spent = look_.has_value() && look_->spending != Spending::kNone;
-        return fmt::format(
-            " ({} after {}Holm's correction for {})",
-            *p_holm < kSmallest ? fmt::format("<{:g}", kSmallest) : p_text({*p_holm, 0.0}),
-            is_spent ? "spending for this look and " : "",
-            counted(static_cast<std::int64_t>(size()), "test"));
-    }
-
-  private:
-    const Possible<LookResult>& look_;
-    std::vector<double> p_values_;
-    std::vector<bool> is_computed_;
-    std::vector<double> corrected_;
-};
-
-bool is_significant(const Possible<double>& p) { return p.has_value() && *p < kSignificance; }
 
 std::string kind_words(ShareIntervalKind kind) {
     switch (kind) {
@@ -67,7 +25,8 @@ std::string kind_words(ShareIntervalKind kind) {
         case ShareIntervalKind::kEachOnce:
             return "Clopper-Pearson, each participant counted once";
         case ShareIntervalKind::kCounts:
-            return "Clopper-Pearson, each participant counted once because his votes may be alike";
+            return "Clopper-Pearson, each participant counted once because the votes of one may be "
+                   "alike";
     }
     return "";
 }
@@ -75,8 +34,6 @@ std::string kind_words(ShareIntervalKind kind) {
 std::string bounds_words(const Interval& interval) {
     return fmt::format("{:.1f} to {:.1f} %", 100.0 * interval.low, 100.0 * interval.high);
 }
-
-std::string points_words(double margin) { return fmt::format("{:g} points", 100.0 * margin); }
 
 /// The intervals, and what the narrower one says of shares that a study cares about.
 std::string interval_words(const HypothesisResult& result, bool is_tested) {
@@ -128,79 +85,15 @@ Verdict verdict_on(const HypothesisResult& result, const Possible<double>& p_hol
     } else {
         verdict.conclusion = is_within ? Conclusion::kEqual : Conclusion::kUndecided;
     }
-    verdict.sentence =
-        fmt::format("{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
-                    verdict_words(verdict), votes.b, counted(votes.n(), "vote"),
-                    100.0 * *result.pooled.share_b, test_words(result),
-                    verdict.is_primary ? family.words(p_holm) : " (secondary, not corrected)",
-                    interval_words(result, is_tested), capital(result.pooling->words));
+    verdict.sentence = fmt::format(
+        "{}: {}. B was chosen in {} of {} ({:.1f} %), {}{}{}. {}.", result.name,
+        verdict_words(verdict), votes.b, counted(votes.n(), "vote"), 100.0 * *result.pooled.share_b,
+        test_words(result), family.words(p_holm, verdict.is_primary),
+        interval_words(result, is_tested), capital(result.pooling->words));
     if (!result.unanswered.empty()) {
         verdict.sentence +=
             fmt::format(" Nobody answered {}, which it takes too.", listed(result.unanswered));
     }
-    return verdict;
-}
-
-/// The two levels that may still differ most; nothing where none were compared.
-struct Widest {
-    const Comparison* comparison = nullptr;
-    const LevelDifference* difference = nullptr;
-    double reach = 0.0;
-};
-
-Widest widest_of(const std::vector<Comparison>& comparisons) {
-    Widest widest;
-    for (const Comparison& comparison : comparisons) {
-        for (const LevelDifference& difference : comparison.differences) {
-            const double reach =
-                std::max(std::abs(difference.equality.low), std::abs(difference.equality.high));
-            if (widest.comparison == nullptr || reach > widest.reach) {
-                widest = {&comparison, &difference, reach};
-            }
-        }
-    }
-    return widest;
-}
-
-/// The two levels that differ most.
-const LevelDifference* largest_of(const Comparison& comparison) {
-    const auto largest =
-        std::max_element(comparison.differences.begin(), comparison.differences.end(),
-                         [](const LevelDifference& one, const LevelDifference& other) {
-                             return std::abs(one.difference) < std::abs(other.difference);
-                         });
-    return largest == comparison.differences.end() ? nullptr : &*largest;
-}
-
-std::string difference_words(const Widest& widest, double margin) {
-    const LevelDifference& difference = *widest.difference;
-    const bool reaches = reaches_difference(difference.equality, margin);
-    return fmt::format(
-        " The share of B of {} against {}{}{} changes by {:+.1f} points from {} to {} (95 % "
-        "interval {:+.1f} to {:+.1f}, 90 % interval {:+.1f} to {:+.1f}), which {}.",
-        widest.comparison->variant_a, widest.comparison->variant_b,
-        widest.comparison->view.empty() ? "" : " in ", widest.comparison->view,
-        100.0 * difference.difference, widest.comparison->levels[difference.from],
-        widest.comparison->levels[difference.to], 100.0 * difference.interval.low,
-        100.0 * difference.interval.high, 100.0 * difference.equality.low,
-        100.0 * difference.equality.high,
-        fmt::format("{} a difference of {} or more{}", reaches ? "leaves" : "excludes",
-                    points_words(margin), reaches ? " possible" : ""));
-}
-
-Verdict not_tested(const ValidityResult& validity, const std::string& why) {
-    Verdict verdict;
-    verdict.hypothesis = validity.name;
-    verdict.statement = validity.statement;
-    verdict.is_on_validity = true;
-    verdict.is_primary = validity.is_primary;
-    verdict.margin = validity.margin;
-    verdict.p = Possible<PValue>::none(why);
-    verdict.p_holm = Possible<double>::none(why);
-    verdict.interval = Possible<Interval>::none(why);
-    verdict.equality = Possible<Interval>::none(why);
-    verdict.sentence =
-        fmt::format("{}: {}. {}.", validity.name, verdict_words(verdict), capital(why));
     return verdict;
 }
 
@@ -214,66 +107,6 @@ void take_back_equality(Verdict& verdict) {
         verdict.sentence.replace(place, before.size(),
                                  verdict_words(verdict) + " as long as participants are to come");
     }
-}
-
-/// What follows from the test with the smallest p and from the difference that may be largest.
-void conclude_on_validity(Verdict& verdict, const Comparison* clearest, Widest& shown) {
-    if (verdict.is_primary ? is_significant(verdict.p_holm) : is_significant(verdict.p)) {
-        verdict.conclusion = Conclusion::kDiffers;
-        const LevelDifference* difference = largest_of(*clearest);
-        if (difference == nullptr) return;
-        shown = {clearest, difference, 0.0};
-        verdict.is_small = !reaches_difference(difference->equality, verdict.margin);
-        const bool is_more = difference->difference > 0.0;
-        verdict.direction =
-            fmt::format("B more often at {} than at {}",
-                        clearest->levels[is_more ? difference->to : difference->from],
-                        clearest->levels[is_more ? difference->from : difference->to]);
-    } else {
-        verdict.conclusion = reaches_difference(shown.difference->equality, verdict.margin)
-                                 ? Conclusion::kUndecided
-                                 : Conclusion::kSame;
-    }
-}
-
-Verdict verdict_on_validity(const ValidityResult& validity, const CorrectedTests& family,
-                            const std::vector<std::size_t>& places) {
-    Widest shown = widest_of(validity.by_level);
-    if (validity.by_level.empty()) return not_tested(validity, validity.no_comparison);
-    if (shown.comparison == nullptr) {
-        return not_tested(validity, "nobody answered two of the conditions that are compared");
-    }
-    Verdict verdict;
-    verdict.hypothesis = validity.name;
-    verdict.statement = validity.statement;
-    verdict.is_on_validity = true;
-    verdict.is_primary = validity.is_primary;
-    verdict.margin = validity.margin;
-    verdict.tests = family.size();
-    std::string tests;
-    const Comparison* clearest = nullptr;
-    for (std::size_t i = 0; i < validity.by_level.size(); ++i) {
-        const Comparison& comparison = validity.by_level[i];
-        const auto p = p_of(comparison);
-        const Possible<double> p_holm =
-            verdict.is_primary ? family.at(places[i]) : Possible<double>::none(kSecondary);
-        tests +=
-            fmt::format(" {}: {}{}.", what_is_compared(comparison), test_words(comparison),
-                        verdict.is_primary ? family.words(p_holm) : " (secondary, not corrected)");
-        if (!p.has_value() || (verdict.p.has_value() && verdict.p->p <= p->p)) continue;
-        verdict.p = *p;
-        verdict.p_holm = p_holm;
-        clearest = &comparison;
-    }
-    conclude_on_validity(verdict, clearest, shown);
-    verdict.interval = shown.difference->interval;
-    verdict.equality = shown.difference->equality;
-    verdict.sentence = fmt::format("{}: {}.{}{}", validity.name, verdict_words(verdict), tests,
-                                   difference_words(shown, verdict.margin));
-    if (!validity.without_partner.empty()) {
-        verdict.sentence += ' ' + partner_words(validity.without_partner);
-    }
-    return verdict;
 }
 
 std::string change_words(std::string_view what, std::string_view with, std::string_view without) {

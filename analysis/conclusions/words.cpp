@@ -18,13 +18,24 @@ constexpr double kShownWithExponent = 1e-3;
 
 }  // namespace
 
-std::string p_number(const PValue& p, int decimals) {
-    if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
-    return p.p < kShownWithExponent ? fmt::format("{:.1e}", p.p)
-                                    : fmt::format("{:.{}f}", p.p, decimals);
+std::string p_number(const PValue& p) {
+    constexpr double kSmallest = .0005;
+    constexpr double kLargest = .9995;
+    if (p.p < kSmallest) return "< .001";
+    if (p.p >= kLargest) return "> .999";
+    return fmt::format("{:.3f}", p.p).substr(1);
 }
 
-std::string p_words(const PValue& p) { return "p = " + p_number(p, 3); }
+std::string p_number(const Possible<double>& p) {
+    return p.has_value() ? p_number(PValue{*p, 0.0}) : "none";
+}
+
+std::string p_words(const PValue& p) {
+    const std::string number = p_number(p);
+    return number.front() == '.' ? "p = " + number : "p " + number;
+}
+
+std::string points_words(double margin) { return fmt::format("{:g} points", 100.0 * margin); }
 
 std::string p_text(const PValue& p) {
     if (p.p < kShownAsPower) return fmt::format("10^{:.2f}", p.log10_p);
@@ -70,41 +81,6 @@ std::string what_is_compared(const Comparison& comparison) {
 std::string partner_words(const std::vector<std::string>& without_partner) {
     return fmt::format("{} {} no partner at another level in the same scene.",
                        listed(without_partner), without_partner.size() == 1 ? "has" : "have");
-}
-
-std::string order_words(const Possible<OrderByParticipant>& order) {
-    if (!order.has_value()) {
-        return fmt::format("Over participants the order is not tested: {}.", order.reason);
-    }
-    std::string text = fmt::format(
-        "Over {}{}, {}: the image shown second is chosen by {:+.1f} points more often than the "
-        "first",
-        counted(order->participants, "participant"),
-        order->left_out > 0 ? fmt::format(" ({} who answered fewer left out)", order->left_out)
-                            : "",
-        order->kind == OrderTestKind::kSideGroups
-            ? "of whom each saw the same variant first in every pair"
-            : "who saw either variant first in some pairs",
-        100.0 * order->difference);
-    if (order->interval.has_value()) {
-        text += fmt::format(" (95 % interval {:+.1f} to {:+.1f})", 100.0 * order->interval->low,
-                            100.0 * order->interval->high);
-    }
-    text +=
-        fmt::format(", {} {}, p {}.", order->is_exact ? "exact" : "large-sample",
-                    order->kind == OrderTestKind::kSideGroups ? "permutation between the two groups"
-                                                              : "test by flipping signs",
-                    p_text(order->p));
-    if (order->kind != OrderTestKind::kSideGroups) return text;
-    // 4000 studies each, seed 1: three conditions pooled, sign flip at .05, standard deviation of
-    // the observers 1 in log odds, whole blocks of 14.
-    return text +
-           " One side for all pairs of a session costs power, since a liking for a place then "
-           "moves "
-           "all votes of a participant the same way: of 28 simulated participants who choose the "
-           "second of two alike images in 75 %, a true share of 65 % in three conditions is found "
-           "in 39 % of the studies, and in 55 % where the sides change within a session (sides = "
-           "\"trial\" in the study file).";
 }
 
 std::string scale_words(const VariantScale& scale) {

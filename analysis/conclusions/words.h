@@ -13,15 +13,19 @@
 
 namespace obscura::analysis {
 
-/// A p-value in running text: `p = 0.019`, `p = 2.9e-11`, `p = 10^-1004.03`.
+/// A p-value as journals print it (APA 7, 6.36), without its name: three decimals and no zero
+/// before the point, `.031`; `< .001`, `> .999`.
+[[nodiscard]] std::string p_number(const PValue& p);
+[[nodiscard]] std::string p_number(const Possible<double>& p);  ///< `none` where there is none
+/// With its name: `p = .031`, `p < .001`.
 [[nodiscard]] std::string p_words(const PValue& p);
 
-/// Its number, with so many decimals where it is a thousandth or more.
-[[nodiscard]] std::string p_number(const PValue& p, int decimals);
-
-/// A p-value to be copied: six decimals, four significant digits below a thousandth, and a power of
-/// ten where a double is too small.
+/// A p-value to be copied from a table: six decimals, four significant digits below a thousandth,
+/// and a power of ten where a double is too small.
 [[nodiscard]] std::string p_text(const PValue& p);
+
+/// `15 points`
+[[nodiscard]] std::string points_words(double margin);
 /// A share, 0 to 1, in per cent: `69 %`; with `decimals` behind the point.
 [[nodiscard]] std::string percent(double share, int decimals = 0);
 /// `53 to 82 %`
@@ -42,9 +46,6 @@ namespace obscura::analysis {
 
 /// `I, IV and VII have no partner at another level in the same scene.`
 [[nodiscard]] std::string partner_words(const std::vector<std::string>& without_partner);
-
-/// Whether the order of showing mattered, with the test over participants and its interval.
-[[nodiscard]] std::string order_words(const Possible<OrderByParticipant>& order);
 
 /// What the scale's standard errors rest on, its order term and its prior, where it has them.
 [[nodiscard]] std::string scale_words(const VariantScale& scale);

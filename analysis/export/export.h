@@ -71,11 +71,13 @@ struct ExportedStudy {
 struct ExportedTest {
     std::string study;
     Kind kind = Kind::kParticipant;
-    std::string test;      ///< a hypothesis, with what is compared where it has several tests
-    std::string question;  ///< preference, interaction or levels
-    std::string condition;
-    std::string level;   ///< of validity
-    std::string weight;  ///< a whole number; empty for levels, where Cochran's Q is the test
+    std::string test = {};  ///< a hypothesis, with what is compared where it has several tests
+    std::string role = {};  ///< primary: Holm's correction is over these; or secondary
+    std::string question =
+        {};  ///< preference, interaction, levels; none: not one that tables repeat
+    std::string condition = {};
+    std::string level = {};   ///< of validity
+    std::string weight = {};  ///< a whole number; empty for levels, where Cochran's Q is the test
 };
 
 struct ExportOptions {

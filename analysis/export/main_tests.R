@@ -3,9 +3,11 @@
 # SPDX-License-Identifier: MIT
 #
 # Repeats the main tests from the exported tables: votes and exact binomial test of each condition
-# with Holm's correction, then the tests of the hypotheses over participants. Base R only, but for
-# an export as JSON Lines, which needs the package jsonlite. Run it with Rscript, or set the working
-# directory to its folder and source() it. Prints two tables with tabs.
+# with Holm's correction, then the tests of the hypotheses over participants with Holm's correction
+# over the primary ones. Base R only, but for an export as JSON Lines, which needs the package
+# jsonlite. Run it with Rscript, or set the working directory to its folder and source() it. Prints
+# two tables with tabs. Looks before the last one, where a study spends its level over several, are
+# not taken into account.
 
 file_argument <- grep("^--file=", commandArgs(FALSE), value = TRUE)
 here <- if (length(file_argument) == 1) dirname(normalizePath(sub("^--file=", "", file_argument))) else "."
@@ -70,6 +72,7 @@ cochran_p <- function(rows) {
 # Participants counted, sum of differences and p of one test; tests are its rows.
 hypothesis <- function(tests, votes) {
   own <- votes[votes$condition %in% tests$condition, ]
+  if (tests$question[1] == "none") own <- own[0, ]
   nothing <- list(participants = 0, sum = NA, p = NA)
   if (nrow(own) == 0) return(nothing)
   weight <- as.integer(tests$weight[match(own$condition, tests$condition)])
@@ -114,11 +117,13 @@ if (nrow(votes) > 0) {
     found <- lapply(unique(of_study$test), function(name) {
       rows <- of_study[of_study$test == name, ]
       data.frame(study = own$study[1], kind = own$kind[1], test = name,
-        question = rows$question[1], hypothesis(rows, own))
+        role = rows$role[1], question = rows$question[1], hypothesis(rows, own))
     })
     if (length(found) > 0) {
       found <- do.call(rbind, found)
-      found$p_holm <- holm(found$p)
+      primary <- found$role == "primary"
+      found$p_holm <- NA
+      found$p_holm[primary] <- holm(found$p[primary])
       hypotheses <- rbind(hypotheses, found)
     }
   }

@@ -2,8 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The Obscura authors
 # SPDX-License-Identifier: MIT
 """Repeats the main tests from the exported tables: votes and exact binomial test of each condition
-with Holm's correction, then the tests of the hypotheses over participants. Standard library only.
-Prints two tables with tabs; any row can be computed by hand from trials and tests."""
+with Holm's correction, then the tests of the hypotheses over participants with Holm's correction
+over the primary ones. Standard library only. Prints two tables with tabs; any row can be computed
+by hand from trials and tests. Looks before the last one, where a study spends its level over
+several, are not taken into account."""
 import csv
 import json
 import math
@@ -95,6 +97,8 @@ def cochran_p(rows):
 
 def hypothesis(tests, votes):
     """Participants counted, statistic and p of one test; tests are its rows."""
+    if tests[0]["question"] == "none":
+        return 0, "", math.nan
     conditions = {row["condition"]: int(row["weight"] or 1) for row in tests}
     answers = defaultdict(list)
     for row in votes:
@@ -138,12 +142,13 @@ def main():
         found = []
         for name in dict.fromkeys(row["test"] for row in of_study):
             own = [row for row in of_study if row["test"] == name]
-            found.append((name, own[0]["question"], *hypothesis(own, votes)))
-        for result, corrected in zip(found, holm([result[-1] for result in found])):
-            hypotheses.append((study, kind, *result, corrected))
+            found.append((name, own[0]["role"], own[0]["question"], *hypothesis(own, votes)))
+        primary = [result for result in found if result[1] == "primary"]
+        corrected = dict(zip(primary, holm([result[-1] for result in primary])))
+        hypotheses += [(study, kind, *r, corrected.get(r, math.nan)) for r in found]
     for header, rows in ((("study", "kind", "condition", "A", "B", "p_exact", "p_holm"), conditions),
-                         (("study", "kind", "test", "question", "participants", "sum", "p",
-                           "p_holm"), hypotheses)):
+                         (("study", "kind", "test", "role", "question", "participants", "sum",
+                           "p", "p_holm"), hypotheses)):
         print(*header, sep="\t")
         for row in rows:
             print(*map(shown, row), sep="\t")

@@ -32,9 +32,11 @@ void quote_where_needed(std::string& line, std::size_t begin, const Special& spe
     const std::string text = line.substr(begin);
     line.resize(begin);
     line += '"';
-    for (const char letter : text) {
-        if (letter == '"') line += '"';
-        line += letter;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t quote = std::min(text.find('"', from), text.size() - 1);
+        line.append(text, from, quote + 1 - from);
+        if (text[quote] == '"') line += '"';
+        from = quote + 1;
     }
     line += '"';
 }

@@ -35,7 +35,7 @@ class TableWriter {
   public:
     /// Writes the header, where the layout has one. All must outlive the writer.
     TableWriter(const std::vector<ExportColumn<Row>>& columns, Layout layout, OutputFile& file)
-        : columns_(columns), layout_(layout), file_(file) {
+        : columns_(columns), layout_(layout), file_(file), long_cells_(columns.size()) {
         for (const auto& column : columns) {
             if (layout == Layout::kJsonLines) {
                 keys_.push_back((keys_.empty() ? "{" : ", ") + json_text(column.name) + ": ");
@@ -59,12 +59,25 @@ class TableWriter {
             const std::size_t begin = line_.size();
             const ExportCell<Row>& cell = columns_[i].cell;
             cell.append(row, line_);
-            finish_cell(line_, begin, cell.number, layout_);
+            finish(i, begin, cell.number);
         }
         end_line(layout_ == Layout::kJsonLines ? "}\n" : "\n");
     }
 
   private:
+    /// A long text mostly stands in many rows: what the last row had is not made anew.
+    void finish(std::size_t column, std::size_t begin, bool number) {
+        constexpr std::size_t kLong = 100;
+        if (line_.size() - begin < kLong) return finish_cell(line_, begin, number, layout_);
+        LongCell& last = long_cells_[column];
+        if (std::string_view(line_).substr(begin) == last.text) {
+            line_.replace(begin, std::string::npos, last.cell);
+            return;
+        }
+        last.text = line_.substr(begin);
+        finish_cell(line_, begin, number, layout_);
+        last.cell = line_.substr(begin);
+    }
     [[nodiscard]] char separator() const { return layout_ == Layout::kCsv ? ',' : '\t'; }
     void end_line(const char* end) {
         line_ += end;
@@ -72,9 +85,15 @@ class TableWriter {
         line_.clear();
     }
 
+    /// A text and the cell that it became.
+    struct LongCell {
+        std::string text, cell;
+    };
+
     const std::vector<ExportColumn<Row>>& columns_;
     Layout layout_;
     OutputFile& file_;
+    std::vector<LongCell> long_cells_;
     std::vector<std::string> keys_;
     std::string line_;
 };

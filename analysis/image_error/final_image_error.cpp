@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/image_error/final_image_error.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "renderer/base/error.h"
+#include "renderer/images/images.h"
 
 namespace obscura::analysis {
 namespace {
@@ -25,16 +23,12 @@ std::array<float, 256> linear_of_code() {
     return table;
 }
 
-/// A float image; both ways of looking at it share the pixels' layout.
-OIIO::ImageBuf buffer_of(std::span<const std::uint8_t> codes, int width, int height,
-                         const std::array<float, 256>& value_of_code) {
+std::vector<float> values_of(std::span<const std::uint8_t> codes,
+                             const std::array<float, 256>& value_of_code) {
     std::vector<float> values;
     values.reserve(codes.size());
     for (const std::uint8_t code : codes) values.push_back(value_of_code[code]);
-    OIIO::ImageBuf buffer(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT));
-    buffer.set_pixels(OIIO::ROI(0, width, 0, height, 0, 1, 0, 3), OIIO::TypeDesc::FLOAT,
-                      values.data());
-    return buffer;
+    return values;
 }
 
 }  // namespace
@@ -54,21 +48,16 @@ FinalImageError final_image_error(std::span<const std::uint8_t> image,
         identity[code] = static_cast<float>(code) / 255.0F;
     }
     FinalImageError error;
-    const OIIO::ImageBuf a = buffer_of(image, width, height, identity);
-    const OIIO::ImageBuf b = buffer_of(truth, width, height, identity);
-    const OIIO::ImageBufAlgo::CompareResults compared =
-        OIIO::ImageBufAlgo::compare(a, b, 0.0F, 0.0F);
-    if (a.has_error()) throw base::failure("image error: {}", a.geterror());
-    error.rmse = compared.rms_error;
-    error.max = compared.maxerror;
+    const images::Difference difference = images::library().difference(
+        values_of(image, identity).data(), values_of(truth, identity).data(), width, height);
+    error.rmse = difference.rms;
+    error.max = difference.max;
 
     // The metric wants linear light.
     const std::array<float, 256> linear = linear_of_code();
-    const OIIO::ImageBuf light_a = buffer_of(image, width, height, linear);
-    const OIIO::ImageBuf light_b = buffer_of(truth, width, height, linear);
-    OIIO::ImageBufAlgo::CompareResults yee{};
-    const int failed = OIIO::ImageBufAlgo::compare_Yee(
-        light_a, light_b, yee, static_cast<float>(viewing.luminance_cd_m2),
+    const int failed = images::library().yee_failed(
+        values_of(image, linear).data(), values_of(truth, linear).data(), width, height,
+        static_cast<float>(viewing.luminance_cd_m2),
         static_cast<float>(viewing.horizontal_field_deg));
     error.yee_failed = static_cast<double>(failed) / static_cast<double>(expected / 3);
     return error;

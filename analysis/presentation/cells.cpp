@@ -10,9 +10,9 @@
 
 namespace obscura::analysis {
 
-std::string p_cell(const Possible<PValue>& p) { return p.has_value() ? journal_p(*p) : kNoValue; }
+std::string p_cell(const Possible<PValue>& p) { return p.has_value() ? p_number(*p) : kNoValue; }
 
-std::string p_cell(const Possible<double>& p) { return p.has_value() ? journal_p(p) : kNoValue; }
+std::string p_cell(const Possible<double>& p) { return p.has_value() ? p_number(p) : kNoValue; }
 
 std::string cell(const Possible<double>& value, int decimals) {
     return value.has_value() ? fmt::format("{:.{}f}", *value, decimals) : kNoValue;

@@ -21,24 +21,29 @@ std::string share_numbers(const HypothesisResult& result, const Verdict& verdict
     return text + ')';
 }
 
+/// `p = .031, corrected p = .062`
+std::string tested(const Verdict& verdict, const PValue& p, const Possible<double>& p_holm) {
+    const std::string words = p_words(p);
+    if (!verdict.is_primary) return words + ", secondary and not corrected";
+    if (!p_holm.has_value()) return words;
+    return words + ", corrected " + p_words({*p_holm, 0.0});
+}
+
+/// Every comparison of a verdict on validity.
+std::string compared_numbers(const Verdict& verdict) {
+    std::string text;
+    for (const ComparedVerdict& compared : verdict.compared) {
+        text += "; " + listed(compared.conditions);
+        if (compared.interval.has_value()) {
+            text += fmt::format(": the share of B changes by {} (95 % CI)",
+                                journal_points(*compared.interval));
+        }
+        if (compared.p.has_value()) text += ", " + tested(verdict, *compared.p, compared.p_holm);
+    }
+    return text;
+}
+
 }  // namespace
-
-std::string journal_p(const PValue& p) {
-    constexpr double kSmallest = .0005;
-    constexpr double kLargest = .9995;
-    if (p.p < kSmallest) return "< .001";
-    if (p.p >= kLargest) return "> .999";
-    return fmt::format("{:.3f}", p.p).substr(1);
-}
-
-std::string journal_p(const Possible<double>& p) {
-    return p.has_value() ? journal_p(PValue{*p, 0.0}) : "none";
-}
-
-std::string journal_p_words(const PValue& p) {
-    const std::string number = journal_p(p);
-    return number.front() == '.' ? "p = " + number : "p " + number;
-}
 
 std::string journal_share(double share) { return percent(share, 1); }
 
@@ -59,14 +64,10 @@ std::string verdict_line(const Analysis& analysis, const Verdict& verdict) {
         if (result != analysis.hypotheses.end() && result->pooled.share_b.has_value()) {
             text += share_numbers(*result, verdict);
         }
-    } else if (verdict.interval.has_value()) {
-        text += fmt::format("; the share of B changes by {} (95 % CI)",
-                            journal_points(*verdict.interval));
+    } else {
+        return text + compared_numbers(verdict);
     }
-    if (verdict.p.has_value()) text += ", " + journal_p_words(*verdict.p);
-    if (verdict.p_holm.has_value()) {
-        text += ", corrected " + journal_p(verdict.p_holm);
-    }
+    if (verdict.p.has_value()) text += ", " + tested(verdict, *verdict.p, verdict.p_holm);
     return text;
 }
 

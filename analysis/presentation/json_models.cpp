@@ -72,7 +72,11 @@ void put_model(Json& object, const Possible<ModelCheck>& model) {
     Json& entry = object["model"];
     entry["n_participants"] = model->participants;
     entry["quadrature_nodes"] = model->nodes;
-    entry["effect"] = term_json(model->effect);
+    if (model->effect.has_value()) {
+        entry["effect"] = term_json(*model->effect);
+    } else {
+        put_none(entry, "effect", model->effect.reason);
+    }
     if (model->order.has_value()) {
         entry["order"] = term_json(*model->order);
     } else {

@@ -59,6 +59,13 @@ void put_verdict(Json& hypothesis, const Verdict& verdict) {
     hypothesis["statement"] = verdict.statement;
     hypothesis["role"] = verdict.is_primary ? "primary" : "secondary";
     hypothesis["margin"] = verdict.margin;
+    for (const ComparedVerdict& compared : verdict.compared) {
+        Json& entry = hypothesis["verdict_comparisons"].emplace_back();
+        entry["conditions"] = compared.conditions;
+        put_p(entry, "p", compared.p);
+        put(entry, "p_holm", compared.p_holm);
+        put_interval(entry, "interval", compared.interval);
+    }
     if (verdict.is_on_validity) hypothesis["is_on_validity"] = true;
 }
 

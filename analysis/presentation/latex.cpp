@@ -48,6 +48,12 @@ std::string citation_at(std::string_view text, std::size_t& size) {
     return keys;
 }
 
+/// Whether a hyphen stands before a number, and is no range or word's.
+bool is_minus(std::string_view before, std::string_view text) {
+    const bool is_first = before.empty() || before.back() == ' ' || before.back() == '(';
+    return is_first && text.size() > 1 && text[0] == '-' && text[1] >= '0' && text[1] <= '9';
+}
+
 }  // namespace
 
 std::string latex_text(std::string_view text) {
@@ -60,6 +66,11 @@ std::string latex_text(std::string_view text) {
                 text.remove_prefix(1 + size);
                 continue;
             }
+        }
+        if (is_minus(result, text)) {
+            result += "$-$";
+            text.remove_prefix(1);
+            continue;
         }
         bool is_special = false;
         for (const auto& [special, escape] : kEscapes) {
@@ -86,10 +97,12 @@ std::string latex_table(const PageTable& table, std::string_view caption, std::s
     };
     std::string rows;
     for (const auto& row : table.rows) rows += line(row);
+    // graphicx makes a table that is wider than the page's column as narrow as that, and no other.
     return fmt::format(
-        "\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{{}}}\n"
+        "\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{{}}}\n  \\footnotesize\n"
+        "  \\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{%\n"
         "  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n{}    \\bottomrule\n"
-        "  \\end{{tabular}}\n\\end{{table}}\n",
+        "  \\end{{tabular}}}}\n\\end{{table}}\n",
         latex_text(caption), label, std::string(table.headings.size(), 'l'), line(table.headings),
         rows);
 }

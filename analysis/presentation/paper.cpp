@@ -50,12 +50,16 @@ PaperTable pairs(const Analysis& analysis) {
                               condition.variant_a, condition.variant_b,
                               fmt::format("{} : {}", condition.votes.a, condition.votes.b),
                               plain_share(tests.share_b), plain_interval(tests.wilson),
-                              tests.exact.has_value() ? journal_p(*tests.exact) : kNoValue,
-                              journal_p(result->p_holm)});
+                              tests.exact.has_value() ? p_number(*tests.exact) : kNoValue,
+                              p_number(result->p_holm)});
     }
     return {std::move(table),
             "The pairs with their votes for A and B, the share of B with Wilson's 95 % interval, p "
             "of the exact binomial test, and p after Holm's correction over all pairs."};
+}
+
+std::string corrected(const Verdict& verdict, const Possible<double>& p_holm) {
+    return verdict.is_primary ? p_number(p_holm) : "secondary";
 }
 
 PaperTable verdicts(const Analysis& analysis) {
@@ -72,13 +76,21 @@ PaperTable verdicts(const Analysis& analysis) {
         }
         table.rows.push_back({verdict.hypothesis, conditions, share,
                               plain_interval(verdict.interval),
-                              verdict.p.has_value() ? journal_p(*verdict.p) : kNoValue,
-                              journal_p(verdict.p_holm), verdict_words(verdict)});
+                              verdict.p.has_value() ? p_number(*verdict.p) : kNoValue,
+                              corrected(verdict, verdict.p_holm), verdict_words(verdict)});
+        for (const ComparedVerdict& compared : verdict.compared) {
+            if (verdict.compared.size() < 2) continue;
+            table.rows.push_back({verdict.hypothesis, listed(compared.conditions), kNoValue,
+                                  plain_interval(compared.interval), p_cell(compared.p),
+                                  corrected(verdict, compared.p_holm), kNoValue});
+        }
     }
-    return {std::move(table),
-            "The hypotheses: votes pooled over their conditions, p of the test over participants "
-            "(of counts where only those are known), p after Holm's correction over all of "
-            "these tests, and the verdict."};
+    return {
+        std::move(table),
+        "The hypotheses: votes pooled over their conditions, p of the test over participants "
+        "(of counts where only those are known), p after Holm's correction over the tests of all "
+        "primary ones, and the verdict; of validity that of the smallest p, the interval of "
+        "the difference that may be largest, and below it every comparison."};
 }
 
 /// Shares of B, named by the pairs alone: Table 1 says what they are.

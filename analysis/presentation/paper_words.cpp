@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "analysis/conclusions/order_words.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/journal.h"
 
@@ -50,7 +51,8 @@ std::string order_of_pairs(const std::string& order) {
         return "The order of the pairs followed Williams designs, which balance what comes after "
                "what; which image of a pair came first was exchanged from one block to the next.";
     }
-    if (order == "random") return "Each participant saw the pairs in a random order of his own.";
+    if (order == "random")
+        return "Each participant saw the pairs in a random order, drawn for each.";
     if (order == "fixed") return "Every participant saw the pairs in the same order.";
     return "";
 }
@@ -75,7 +77,8 @@ std::string hypothesis_words(const Analysis& analysis) {
     std::vector<std::string> names;
     for (const HypothesisResult& result : analysis.hypotheses) {
         if (!result.pooling.has_value()) continue;
-        names.push_back(fmt::format("{} ({})", result.name, listed(result.conditions)));
+        names.push_back(fmt::format("{} ({}; {})", result.name, listed(result.conditions),
+                                    result.pooling->words));
     }
     if (names.empty()) return "";
     if (analysis.tally.participants.empty()) {
@@ -129,11 +132,11 @@ std::string pair_words(const Analysis& analysis) {
         if (!result.p_holm.has_value() || !result.preference.exact.has_value()) continue;
         const Preference& tests = result.preference;
         const double share = *tests.share_b;
-        const std::string words = fmt::format(
-            "{} ({} chose {}, {}, corrected {})", result.condition.id,
-            journal_share(std::max(share, 1.0 - share)),
-            share > .5 ? result.condition.variant_b : result.condition.variant_a,
-            journal_p_words(*tests.exact), journal_p_words(PValue{*result.p_holm, 0.0}));
+        const std::string words =
+            fmt::format("{} ({} chose {}, {}, corrected {})", result.condition.id,
+                        journal_share(std::max(share, 1.0 - share)),
+                        share > .5 ? result.condition.variant_b : result.condition.variant_a,
+                        p_words(*tests.exact), p_words(PValue{*result.p_holm, 0.0}));
         if (tests.exact->p < kSignificance) alone.push_back(words);
         if (*result.p_holm < kSignificance) corrected.push_back(words);
     }
@@ -146,6 +149,16 @@ std::string pair_words(const Analysis& analysis) {
         text += fmt::format(" Taken alone, {} would have passed: {}.", alone.size(), listed(alone));
     }
     return text;
+}
+
+/// What the numbers could show, whatever they were.
+std::string power_words(const Possible<RunPower>& power) {
+    if (!power.has_value() || !power->detectable_holm.has_value()) return "";
+    return fmt::format(
+        "With {} a pair the exact test, corrected over {}, finds a share of {} or more with {} "
+        "probability; weaker preferences may be there and be missed.",
+        counted(power->n, "answer"), counted(static_cast<std::int64_t>(power->tests), "pair"),
+        journal_share(*power->detectable_holm), percent(kAskedPower));
 }
 
 /// Paragraphs without those that have nothing to say, joined with blanks.
@@ -165,7 +178,7 @@ std::vector<std::string> method_paragraphs(const ReportInput& input) {
         joined({showing_words(input), order_of_pairs(input.study.order),
                 exclusion_words(analysis.exclusions)}),
         joined({pair_tests(analysis), hypothesis_words(analysis), validity_tests(analysis),
-                correction_words(analysis),
+                correction_words(analysis), analysis.look.has_value() ? analysis.look->words : "",
                 fmt::format("Everything was computed by {} (seed {} of all draws).",
                             input.software.empty() ? "Obscura" : input.software, kAnalysisSeed)})};
 }
@@ -177,13 +190,14 @@ std::vector<std::string> result_paragraphs(const ReportInput& input) {
         verdicts.push_back(
             fmt::format("{}: {}.", verdict.hypothesis, verdict_line(analysis, verdict)));
     }
-    std::vector<std::string> paragraphs{pair_words(analysis)};
+    std::vector<std::string> paragraphs{
+        joined({pair_words(analysis), power_words(analysis.power)})};
     if (!verdicts.empty()) paragraphs.push_back(joined(verdicts) + " Table 2 has all of it.");
     if (analysis.order_bias.has_value()) {
         const OrderBias& bias = *analysis.order_bias;
         paragraphs.push_back(fmt::format("The image shown second was chosen {} of {} times. {}",
                                          bias.votes.second_chosen, bias.votes.n,
-                                         order_words(bias.by_participant)));
+                                         order_words(analysis)));
     }
     return paragraphs;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/conclusions/order_words.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/report_parts.h"
 #include "analysis/presentation/report_plots.h"
@@ -30,10 +31,10 @@ std::vector<SecondChosen> second_chosen(const Analysis& analysis) {
     return rows;
 }
 
-std::string bias_words(const OrderBias& bias) {
-    std::string text =
-        fmt::format("The image shown second was chosen {} of {} times. {} ",
-                    bias.votes.second_chosen, bias.votes.n, order_words(bias.by_participant));
+std::string bias_words(const Analysis& analysis) {
+    const OrderBias& bias = *analysis.order_bias;
+    std::string text = fmt::format("The image shown second was chosen {} of {} times. {} ",
+                                   bias.votes.second_chosen, bias.votes.n, order_words(analysis));
     if (!bias.logistic.has_value()) {
         return text + fmt::format("A regression with a term for the order is not possible: {}.",
                                   bias.logistic.reason);
@@ -58,7 +59,7 @@ void add_order_bias(ReportDraft& draft) {
         draft.page.paragraph(fmt::format("Not known: {}.", analysis.order_bias.reason));
         return;
     }
-    draft.page.paragraph(bias_words(*analysis.order_bias));
+    draft.page.paragraph(bias_words(analysis));
     IntervalPlot plot;
     plot.name = "order";
     plot.title = "Was the image shown second chosen more often?";

@@ -212,11 +212,14 @@ std::vector<std::string> model_row(const std::string& name, const Possible<Model
         return {name,     "none: " + model.reason, kNoValue, kNoValue, kNoValue,
                 kNoValue, p_cell(tested)};
     }
-    const ModelTerm& effect = model->effect;
+    const Possible<ModelTerm>& effect = model->effect;
+    const bool has_one = effect.has_value();
     return {name,
-            fmt::format("{:+.3f} ({:.3f})", effect.log_odds, effect.standard_error),
-            fmt::format("{:+.2f} to {:+.2f}", effect.interval.low, effect.interval.high),
-            p_cell(Possible<PValue>(effect.p)),
+            has_one ? fmt::format("{:+.3f} ({:.3f})", effect->log_odds, effect->standard_error)
+                    : effect.reason,
+            has_one ? fmt::format("{:+.2f} to {:+.2f}", effect->interval.low, effect->interval.high)
+                    : kNoValue,
+            p_cell(p_of(*model)),
             fmt::format("{:.3f}", model->sd),
             model->order.has_value() ? fmt::format("{:+.3f} ({:.3f})", model->order->log_odds,
                                                    model->order->standard_error)
@@ -327,7 +330,7 @@ void add_hypotheses(ReportDraft& draft) {
             "The votes of each hypothesis's conditions together, where B means the same in each of "
             "them. p and the intervals are those of the verdict, before correction: they take the "
             "votes of a participant as hanging together. Credible, P: of the share of B among "
-            "people, each of whom has a share of his own, when every share and every correlation "
+            "people, each of whom has an own share, when every share and every correlation "
             "between two votes of a participant was thought equally likely before. Do its "
             "conditions differ: Cochran's Q of the participants who answered each.");
         std::vector<std::string> meanings;

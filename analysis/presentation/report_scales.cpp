@@ -23,7 +23,7 @@ void add_scales(ReportDraft& draft) {
         "unit "
         "is the just objectionable difference (JOD): a variant 1 JOD above another is chosen over "
         "it "
-        "by 75 %. It takes every answer as independent of the others.");
+        "by 75 %.");
     int number = 0;
     for (const VariantScale& scale : analysis.scales) {
         ++number;
@@ -62,7 +62,9 @@ void add_scales(ReportDraft& draft) {
             const Possible<Scale>& odds = scale.bradley_terry;
             table.rows.push_back(
                 {scale.variants[i], fmt::format("{:+.3f}", value), error(scale.thurstone),
-                 has_errors ? fmt::format("{:+.2f} to {:+.2f}", bounds.low, bounds.high) : kNoValue,
+                 i == 0       ? "reference"
+                 : has_errors ? fmt::format("{:+.2f} to {:+.2f}", bounds.low, bounds.high)
+                              : kNoValue,
                  odds.has_value() ? fmt::format("{:+.3f}", odds->values[i]) : kNoValue,
                  error(odds)});
         }

@@ -35,8 +35,8 @@ TextRow row_of(const ConditionResult& result) {
             fmt::format("{} : {}", condition.votes.a, condition.votes.b),
             tests.share_b.has_value() ? journal_share(*tests.share_b) : kNoText,
             tests.wilson.has_value() ? journal_interval(*tests.wilson) : kNoText,
-            tests.exact.has_value() ? journal_p(*tests.exact) : kNoText,
-            result.p_holm.has_value() ? journal_p(result.p_holm) : kNoText};
+            tests.exact.has_value() ? p_number(*tests.exact) : kNoText,
+            result.p_holm.has_value() ? p_number(result.p_holm) : kNoText};
 }
 
 std::string exclusion_line(const Possible<Exclusions>& exclusions) {
@@ -64,6 +64,7 @@ std::string summary_text(const Analysis& analysis) {
         text += fmt::format("... and {} more\n", analysis.conditions.size() - shown);
     }
     std::string verdicts = exclusion_line(analysis.exclusions);
+    if (analysis.look.has_value()) verdicts += analysis.look->words + '\n';
     for (const Verdict& verdict : analysis.verdicts) {
         verdicts += fmt::format("{}: {}\n", verdict.hypothesis, verdict_line(analysis, verdict));
     }

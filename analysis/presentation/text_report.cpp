@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "analysis/conclusions/model_check.h"
+#include "analysis/conclusions/order_words.h"
 #include "analysis/conclusions/pooled_share.h"
 #include "analysis/conclusions/words.h"
 #include "analysis/presentation/text_layout.h"
@@ -115,7 +116,7 @@ std::string order_bias_line(const Analysis& analysis) {
     const OrderBias& bias = *analysis.order_bias;
     std::string text =
         fmt::format("Order bias: the image shown second was chosen {} of {} times. {}",
-                    bias.votes.second_chosen, bias.votes.n, order_words(bias.by_participant));
+                    bias.votes.second_chosen, bias.votes.n, order_words(analysis));
     if (!bias.logistic.has_value()) {
         return text + fmt::format(" No logistic regression: {}.\n", bias.logistic.reason);
     }
@@ -125,10 +126,10 @@ std::string order_bias_line(const Analysis& analysis) {
                       "two equally liked images the second is "
                       "chosen {:.1f} % of the time (order term {:+.4f}, standard error {:.4f}), "
                       "likelihood "
-                      "ratio {:.4f}, df 1, p {}.\n",
+                      "ratio {:.4f}, df 1, {}.\n",
                       counted(test.conditions, "condition"), 100.0 * test.second_share,
                       test.order_term, test.standard_error, test.likelihood_ratio.statistic,
-                      p_text(test.likelihood_ratio.p));
+                      p_words(test.likelihood_ratio.p));
 }
 
 std::string bayes_factor_text(const Possible<BayesFactor>& factor) {

@@ -63,9 +63,9 @@ std::string learning_words(const Learning& learning) {
     const StratifiedSlope& slope = *learning.choice;
     return text + fmt::format(
                       "; the log odds of choosing B change by {:+.4f} a trial (standard "
-                      "error {:.4f}, likelihood ratio {:.4f}, df 1, p {}).\n",
+                      "error {:.4f}, likelihood ratio {:.4f}, df 1, {}).\n",
                       slope.slope, slope.standard_error, slope.likelihood_ratio.statistic,
-                      p_text(slope.likelihood_ratio.p));
+                      p_words(slope.likelihood_ratio.p));
 }
 
 std::string left_out_words(const Attention& attention) {
@@ -159,7 +159,7 @@ std::string response_times_text(const Analysis& analysis) {
     std::string text;
     if (analysis.response_times.has_value()) {
         text += wrapped(
-            "\nResponse times in s, each participant with the median of his own; the interval is "
+            "\nResponse times in s, each participant with one median; the interval is "
             "of the median, from order statistics.\n");
         std::vector<TextRow> rows{{"condition", "participants", "median", "95 % interval",
                                    "first quartile", "third quartile"}};

@@ -78,6 +78,24 @@ TestPower power_of(SplitTest test, std::int64_t n, double share, double level) {
     return result;
 }
 
+Possible<double> detectable_share(SplitTest test, std::int64_t n, double level, double power) {
+    base::check_range("power", "n", n, std::int64_t{1}, kMostParticipants);
+    check_open("level", level);
+    check_open("power", power);
+    constexpr double kSure = 1.0 - 1e-9;
+    const std::int64_t critical = critical_votes(test, n, level);
+    if (critical > n || chance(n, critical, kSure) < power) {
+        return Possible<double>::none("so few participants detect no share");
+    }
+    double low = 0.5;
+    double high = kSure;
+    while (high - low > 1e-7) {
+        const double middle = (low + high) / 2.0;
+        (chance(n, critical, middle) >= power ? high : low) = middle;
+    }
+    return high;
+}
+
 Possible<std::int64_t> participants_needed(SplitTest test, double share, double level,
                                            double power) {
     check_open("share", share);

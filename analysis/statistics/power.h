@@ -34,6 +34,11 @@ inline constexpr int kStaysForNext = 6;
 /// otherwise.
 [[nodiscard]] TestPower power_of(SplitTest test, std::int64_t n, double share, double level);
 
+/// The smallest share above one half at which the power is at least `power`, to 1e-7: it grows with
+/// the share. Arguments as of power_of. No value where the participants are too few for any.
+[[nodiscard]] Possible<double> detectable_share(SplitTest test, std::int64_t n, double level,
+                                                double power);
+
 /// The smallest number of participants whose power is at least `power`, and that of the next
 /// kStaysForNext numbers too. `share` at least kSmallestEffect from one half, `level` and `power`
 /// strictly between 0 and 1: throws bad input otherwise. No value when it is above

@@ -11,12 +11,12 @@ namespace obscura::analysis {
 namespace {
 
 constexpr std::size_t kProblemsShown = 100;
-constexpr std::size_t kLongest = 2000;  // bytes of one problem
+constexpr std::size_t kLongestProblem = 2000;  // bytes of one problem
 
 }  // namespace
 
 void FileProblems::add(int line, std::string_view what) {
-    std::string shown = printable(what, kLongest);
+    std::string shown = printable(what, kLongestProblem);
     if (const auto known = places_.find(shown); known != places_.end()) {
         Problem& problem = problems_[known->second];
         if (line != problem.line) ++problem.more;

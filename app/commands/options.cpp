@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <type_traits>
 
 #include "renderer/base/error.h"
 
@@ -31,7 +32,18 @@ Option Option::excludes(const std::vector<Option>& others) const {
 
 template <class T>
 Option Options::add(const std::string& name, T& value, const std::string& what) const {
-    return Option(*app_->add_option(name, value, what));
+    const Option option(*app_->add_option(name, value, what));
+    if constexpr (std::is_same_v<T, std::filesystem::path> ||
+                  std::is_same_v<T, std::vector<std::filesystem::path>>) {
+        return option.type("PATH");
+    } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::vector<double>>) {
+        return option.type("NUMBER");
+    } else if constexpr (!std::is_same_v<T, std::string> &&
+                         !std::is_same_v<T, std::vector<std::string>>) {
+        return option.type("N");
+    } else {
+        return option;
+    }
 }
 template Option Options::add(const std::string&, std::string&, const std::string&) const;
 template Option Options::add(const std::string&, std::filesystem::path&, const std::string&) const;
@@ -69,6 +81,33 @@ CommandLine::CommandLine(const std::string& what, const std::string& program,
 CommandLine::~CommandLine() = default;
 
 Options CommandLine::options() const { return Options(*app_); }
+
+namespace {
+
+DescribedCommand described_app(const CLI::App& app) {
+    DescribedCommand command{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+    for (const CLI::Option* option : app.get_options()) {
+        DescribedOption one;
+        one.by_place = option->get_positional();
+        for (const std::string& name : option->get_snames()) one.names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
+        if (one.by_place) one.names = {option->get_name(true)};
+        if (option->get_expected_max() > 0) one.value = option->get_type_name();
+        one.what = option->get_description();
+        if (const std::string standard = option->get_default_str(); !standard.empty()) {
+            one.what += " (default: " + standard + ")";
+        }
+        command.options.push_back(std::move(one));
+    }
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        command.commands.push_back(described_app(*sub));
+    }
+    return command;
+}
+
+}  // namespace
+
+DescribedCommand CommandLine::described() const { return described_app(*app_); }
 
 bool CommandLine::parse(std::vector<std::string> words) {
     std::reverse(words.begin(), words.end());

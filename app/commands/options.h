@@ -62,6 +62,24 @@ class Options {
     CLI::App* app_;
 };
 
+/// An option as help shows it.
+struct DescribedOption {
+    std::vector<std::string>
+        names;  ///< with their dashes; of a value by its place as it is written
+    bool by_place = false;
+    std::string value;  ///< what stands for it: FILE; empty: it takes none
+    std::string what;
+};
+
+/// A command as help shows it; the program itself is one.
+struct DescribedCommand {
+    std::string name;
+    std::string what;
+    std::string footer;
+    std::vector<DescribedOption> options;
+    std::vector<DescribedCommand> commands;
+};
+
 /// What is typed after the program's name. Only this and its handles know the library behind it,
 /// whose headers take longer to compile than most commands.
 class CommandLine {
@@ -72,6 +90,8 @@ class CommandLine {
     CommandLine& operator=(const CommandLine&) = delete;
 
     [[nodiscard]] Options options() const;
+    /// All that was added, for manuals and shells.
+    [[nodiscard]] DescribedCommand described() const;
     /// False: help or the version was asked for and printed. Throws bad_input for what is not
     /// allowed.
     [[nodiscard]] bool parse(std::vector<std::string> words);

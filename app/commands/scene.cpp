@@ -7,6 +7,7 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
+#include "app/commands/scene_views.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/export/gltf_export.h"
@@ -116,13 +117,16 @@ std::function<base::ExitCode()> attach_scene(const Options& app, const Globals&)
     exporter.add("--out", options->out, "File to write, ends in .glb").required();
     exporter.when_given(
         [chosen, options] { *chosen = [options] { return export_scene(*options); }; });
+    attach_preview(app, chosen);
+    attach_cameras(app, chosen);
     return [chosen] { return (*chosen)(); };
 }
 
 }  // namespace
 
 Command scene_command() {
-    return {"scene", "List, inspect and export scenes, built in or from files", attach_scene};
+    return {"scene", "List, inspect, look at and export scenes, built in or from files",
+            attach_scene};
 }
 
 }  // namespace obscura::app

@@ -25,6 +25,25 @@ std::string observers_words(const PowerRequest& request) {
         request.sd, 100.0 * request.order_bias, 100.0 * request.careless);
 }
 
+/// What the study fixes and the simulation passes over, in sentences.
+std::vector<std::string> passed_over(const stimuli::Study& study) {
+    std::vector<std::string> words;
+    if (study.stopping.looks.size() > 1) {
+        words.push_back(fmt::format(
+            "The study's [stopping] is not simulated: {} looks are planned, and here the answers "
+            "are looked at once, at the last. Spending the level over looks costs some of this "
+            "power.",
+            study.stopping.looks.size()));
+    }
+    if (study.exclusion.min_response_time_s) {
+        words.push_back(fmt::format(
+            "The study's rule on response times (a median of {:g} s at least) leaves out nobody "
+            "here: the simulated observers take no time.",
+            *study.exclusion.min_response_time_s));
+    }
+    return words;
+}
+
 Json json_of(const Frequency& frequency) {
     return {{"participants", frequency.participants},
             {"studies", frequency.studies},
@@ -62,6 +81,7 @@ std::string study_power_text(const stimuli::Study& study, const PowerRequest& re
         "hypothesis only, and the answers are looked at once.",
         study.name, to_string(study.order), to_string(study.sides), observers_words(request),
         request.studies, request.seed);
+    for (const std::string& words : passed_over(study)) text += ' ' + words;
     if (request.asks_needed) {
         text += fmt::format(
             " Numbers of participants are whole blocks of {}, looked for with up to 400 studies "
@@ -83,6 +103,7 @@ std::string study_power_json(const stimuli::Study& study, const PowerRequest& re
     report["studies"] = request.studies;
     report["seed"] = request.seed;
     report["power"] = request.power;
+    report["not_simulated"] = passed_over(study);
     report["verdicts"] = Json::array();
     for (const VerdictPower& result : results) {
         Json& entry = report["verdicts"].emplace_back();

@@ -39,8 +39,9 @@ void add_variant_options(const Options& app, VariantArguments& arguments) {
     app.add("--technique", arguments.technique, "See below");
     app.add("--samples", arguments.samples, "Samples, or rays, a pixel (default: the technique's)");
     app.add("--set", arguments.settings,
-            "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below")
-        .repeatable();
+            "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below. Several with "
+            "commas or blanks between, or --set again")
+        .comma_separated();
     app.add("--preset", arguments.preset,
             "Values of the parameters that are not set: published, or fitted to the truth")
         .shows_default();

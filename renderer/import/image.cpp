@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
+
+#include "renderer/images/images.h"
 
 namespace obscura::renderer::import_detail {
 namespace {
@@ -80,31 +79,26 @@ std::optional<DecodedImage> ImageDecoder::decode(std::string_view bytes, const s
         why = "it is cut off";
         return std::nullopt;
     }
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    OIIO::Filesystem::IOProxy* bytes_to_read = &memory;
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes_to_read);
-    const auto input = OIIO::ImageInput::open("texture." + ending, &config);
-    if (!input) {
-        why = "it cannot be read: " + first_line(OIIO::geterror());
+    std::string reason;
+    const std::unique_ptr<images::Reader> reader = images::library().open(bytes, ending, reason);
+    if (!reader) {
+        why = "it cannot be read: " + first_line(reason);
         return std::nullopt;
     }
-    const OIIO::ImageSpec& spec = input->spec();
     constexpr int kMost = ImportLimits::kTextureSide;
-    if (spec.width < 1 || spec.height < 1 || spec.width > kMost || spec.height > kMost ||
-        spec.nchannels < 1) {
+    if (reader->width < 1 || reader->height < 1 || reader->width > kMost ||
+        reader->height > kMost || reader->channels.empty()) {
         why = fmt::format("its header says {}x{} texels of {} channels, allowed is 1 to {} a side",
-                          spec.width, spec.height, spec.nchannels, kMost);
+                          reader->width, reader->height, reader->channels.size(), kMost);
         return std::nullopt;
     }
     const std::size_t size =
-        4 * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+        4 * static_cast<std::size_t>(reader->width) * static_cast<std::size_t>(reader->height);
     if (size > std::min(left_bytes_, left_work_bytes_)) {
         why = fmt::format(
             "its {}x{} texels take {} bytes, of the {} allowed for a scene {} are "
             "left",
-            spec.width, spec.height, size, ImportLimits::kTextureBytes,
+            reader->width, reader->height, size, ImportLimits::kTextureBytes,
             std::min(left_bytes_, left_work_bytes_));
         return std::nullopt;
     }
@@ -112,13 +106,13 @@ std::optional<DecodedImage> ImageDecoder::decode(std::string_view bytes, const s
     left_work_bytes_ -= size;
     Texture texture;
     texture.name = name;
-    texture.width = spec.width;
-    texture.height = spec.height;
+    texture.width = reader->width;
+    texture.height = reader->height;
     texture.srgb = srgb;
     texture.rgba.assign(size, 255);
-    const int channels = std::min(spec.nchannels, 4);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, texture.rgba.data(), 4)) {
-        why = "its content is damaged or cut off: " + first_line(input->geterror());
+    const int channels = static_cast<int>(std::min<std::size_t>(reader->channels.size(), 4));
+    if (!reader->read_bytes(channels, texture.rgba.data(), 4, reason)) {
+        why = "its content is damaged or cut off: " + first_line(reason);
         return std::nullopt;
     }
     if (channels < 3) spread_grey(texture, channels);

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/light/environment.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
 #include "renderer/base/error.h"
+#include "renderer/images/images.h"
 
 namespace obscura::renderer {
 namespace {
@@ -47,33 +45,29 @@ glm::vec3 Environment::look_up(const glm::vec3& direction) const {
 }
 
 Environment load_environment(const std::filesystem::path& file) {
-    OIIO::ImageBuf image(file.string());
-    // The header first: it may promise more than there is memory for.
+    std::string why;
+    const std::unique_ptr<images::Reader> image = images::library().open(file, why);
+    if (!image) throw base::bad_input("the environment {} cannot be read: {}", file.string(), why);
+    // The header promises so much; there may be less memory.
     constexpr std::int64_t kMostTexels = std::int64_t{8192} * 4096;
-    const bool has_header = image.init_spec(file.string(), 0, 0);
-    const std::int64_t texels =
-        has_header ? std::int64_t{image.spec().width} * std::int64_t{image.spec().height} : 0;
-    if (texels > kMostTexels) {
+    if (std::int64_t{image->width} * std::int64_t{image->height} > kMostTexels) {
         throw base::bad_input("the environment {} is {}x{} texels; allowed are {}, as of 8192x4096",
-                              file.string(), image.spec().width, image.spec().height, kMostTexels);
+                              file.string(), image->width, image->height, kMostTexels);
     }
-    if (!has_header || !image.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
-        throw base::bad_input("the environment {} cannot be read: {}", file.string(),
-                              image.geterror());
-    }
-    const OIIO::ImageSpec& spec = image.spec();
-    if (spec.nchannels < 3 || spec.width < 2 || spec.height < 2) {
+    if (image->channels.size() < 3 || image->width < 2 || image->height < 2) {
         throw base::bad_input(
             "the environment {} is {}x{} with {} channels; an equirectangular RGB image is needed",
-            file.string(), spec.width, spec.height, spec.nchannels);
+            file.string(), image->width, image->height, image->channels.size());
     }
     Environment environment;
     environment.name = file.filename().string();
-    environment.width = spec.width;
-    environment.height = spec.height;
-    environment.radiance.resize(static_cast<std::size_t>(spec.width) * spec.height);
-    const OIIO::ROI roi(0, spec.width, 0, spec.height, 0, 1, 0, 3);
-    image.get_pixels(roi, OIIO::TypeDesc::FLOAT, environment.radiance.data());
+    environment.width = image->width;
+    environment.height = image->height;
+    environment.radiance.resize(static_cast<std::size_t>(image->width) *
+                                static_cast<std::size_t>(image->height));
+    if (!image->read_floats(3, &environment.radiance.data()->x, why)) {
+        throw base::bad_input("the environment {} cannot be read: {}", file.string(), why);
+    }
     for (glm::vec3& value : environment.radiance) {
         for (int i = 0; i < 3; ++i) {
             constexpr float kBrightest = 1e7F;  // the sun outside of a measured sky

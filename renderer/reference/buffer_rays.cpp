@@ -19,9 +19,6 @@ namespace obscura::renderer {
 namespace {
 
 constexpr int kSide = BlockSampler::kSide;
-constexpr int kPacket = 16;
-/// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
-constexpr unsigned kFlushDenormals = 0x8040;
 /// How far off its surface a ray starts, as a share of the depth: what interpolation in floats over
 /// large triangles may leave of it.
 constexpr float kOffset = 3.0e-5F;

@@ -15,10 +15,7 @@
 namespace obscura::renderer {
 namespace {
 
-constexpr int kPacket = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
-constexpr unsigned kFlushDenormals = 0x8040;
 
 /// A right-handed orthonormal frame whose third axis is n (Duff et al. 2017, equation 6 with the
 /// sign of n.z, which keeps it exact near -Z).

@@ -15,6 +15,11 @@
 
 namespace obscura::renderer {
 
+/// Rays that are traced together.
+inline constexpr int kPacket = 16;
+/// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
+inline constexpr unsigned kFlushDenormals = 0x8040;
+
 /// Embree's view of a scene, and what the filter functions need to judge a hit. Coordinates inside
 /// are shifted by origin_m(), so that a scene far from the world's origin keeps its precision; the
 /// shift is chosen so that it rounds nothing.

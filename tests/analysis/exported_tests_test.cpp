@@ -162,6 +162,16 @@ void expect_number(const std::string& text, double expected, const std::string& 
     EXPECT_NEAR(std::strtod(text.c_str(), nullptr), expected, 1e-9) << what;
 }
 
+/// The corrected p of a primary hypothesis, and none of a secondary one.
+void expect_holm(const std::vector<std::string>& cells, const Verdict& verdict) {
+    EXPECT_EQ(cells.at(3), verdict.is_primary ? "primary" : "secondary");
+    if (verdict.p_holm.has_value()) {
+        expect_number(cells.at(8), *verdict.p_holm, verdict.hypothesis);
+    } else {
+        EXPECT_EQ(cells.size(), 8U) << verdict.hypothesis << " stands alone";
+    }
+}
+
 /// Both tables of a script, next to what the program says.
 void expect_same_tests(const Printed& printed, const Analysis& analysis) {
     const std::string prefix = "jakobsen2010/participant/";
@@ -177,7 +187,10 @@ void expect_same_tests(const Printed& printed, const Analysis& analysis) {
     }
     for (const HypothesisResult& result : analysis.hypotheses) {
         ASSERT_TRUE(printed.contains(prefix + result.name)) << result.name;
-        expect_number(printed.at(prefix + result.name).at(6), p_of(result)->p, result.name);
+        expect_number(printed.at(prefix + result.name).at(7), p_of(result)->p, result.name);
+    }
+    for (const Verdict& verdict : analysis.verdicts) {
+        if (!verdict.is_on_validity) expect_holm(printed.at(prefix + verdict.hypothesis), verdict);
     }
     int interactions = 0;
     for (const auto& [name, cells] : printed) {
@@ -186,8 +199,8 @@ void expect_same_tests(const Printed& printed, const Analysis& analysis) {
         for (const Comparison& comparison : analysis.validity->by_level) {
             if (comparison.conditions.front() != pair) continue;
             ++interactions;
-            expect_number(cells.at(6), p_of(comparison)->p, name);
-            expect_number(cells.at(4), static_cast<double>(comparison.same_participants->n), name);
+            expect_number(cells.at(7), p_of(comparison)->p, name);
+            expect_number(cells.at(5), static_cast<double>(comparison.same_participants->n), name);
         }
     }
     EXPECT_EQ(interactions, 2);
@@ -213,6 +226,50 @@ TEST_F(ExportedTests, TheScriptsBesideEveryExportRepeatTheMainTests) {
             SCOPED_TRACE(fmt::format("{} of {}", program, to_string(format)));
             expect_same_tests(printed_by(program, place / script), expected);
         }
+    }
+}
+
+TEST_F(ExportedTests, TheScriptsCorrectOverThePrimaryTestsOfThePlanAndNoOthers) {
+    constexpr const char* kPlan =
+        R"({"hypotheses":[{"id":"P","kind":"preference","conditions":["II","V"],"role":"primary"},)"
+        R"({"id":"R","kind":"preference","conditions":["I"],"role":"secondary"},)"
+        R"({"id":"S","kind":"preference","conditions":["III","IX"],"role":"primary"},)"
+        R"({"id":"T","kind":"preference","conditions":["IX"],"role":"primary"},)"
+        R"({"id":"Q","kind":"interaction","pairs":[["III","VI"],["II","IX"]],"role":"primary"}]})";
+    for (int number = 30; number < 44; ++number) {
+        auto session = tests::a_session(number);
+        session.study = "planned";
+        session.study_plan = kPlan;
+        session.condition_count = static_cast<int>(std::size(kShown));
+        store_.begin_session(tests::a_participant(number), session);
+        int index = 0;
+        for (const ShownCondition& shown : kShown) {
+            auto trial = trial_of(number, index++, shown);
+            answer(trial, number % 4 != 0 || index > 2);
+            store_.add_trial(trial);
+        }
+        store_.complete_session(session.session_id, tests::kUtc);
+    }
+    options_.tests.clear();
+    options_.left_out.clear();
+    EXPECT_THAT(add_conclusions(options_, store_, url_), IsEmpty());
+    (void)export_store(store_, options_);
+    const Analysis expected =
+        analyse(tally_of(read_answers(store_, url_), "planned", Kind::kParticipant));
+    for (const auto& [program, script] :
+         {std::pair("python3", "main_tests.py"), std::pair("Rscript --vanilla", "main_tests.R")}) {
+        if (!is_there(std::string(program).substr(0, 7))) continue;
+        SCOPED_TRACE(program);
+        const Printed printed = printed_by(program, out_ / script);
+        int corrected = 0;
+        for (const Verdict& verdict : expected.verdicts) {
+            if (verdict.is_on_validity || !verdict.p.has_value()) continue;
+            expect_holm(printed.at("planned/participant/" + verdict.hypothesis), verdict);
+            EXPECT_EQ(verdict.tests, 5U);
+            ++corrected;
+        }
+        EXPECT_EQ(corrected, 3) << "nobody answered T";
+        EXPECT_TRUE(printed.contains("planned/participant/Q: not compared 2"));
     }
 }
 

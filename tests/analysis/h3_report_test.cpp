@@ -75,7 +75,7 @@ TEST(H3, OfTheSameParticipantsIsCochransQAndMcNemar) {
     EXPECT_EQ(low_moderate["same_participants"]["mcnemar"]["a_to_b"], 5);
     EXPECT_NEAR(low_moderate["p"].get<double>(), 2.0 * 29.0 / 128.0, 1e-12);
     EXPECT_EQ(test_words(analysis.validity->by_level.at(0)),
-              "Cochran's Q on the same 9 participants, Q 2, df 2, p 0.367879");
+              "Cochran's Q on the same 9 participants, Q 2, df 2, p = .368");
     EXPECT_THAT(text_report(analysis), HasSubstr("McNemar's exact test on the same 9"));
 }
 
@@ -101,8 +101,8 @@ TEST(H3, IsFromCountsWhereParticipantsRepeatedAConditionOrAreNotKnown) {
     EXPECT_THAT(words, AllOf(HasSubstr("from counts alone"),
                              HasSubstr("answered condition C0 more than once")));
     const Analysis published = analyse(published_votes());
-    EXPECT_THAT(text_report(published), AllOf(HasSubstr("chi-square 3.692, df 2, p 0.157894"),
-                                              HasSubstr("Fisher's exact p 0.148839")));
+    EXPECT_THAT(text_report(published), AllOf(HasSubstr("chi-square 3.692, df 2, p = .158"),
+                                              HasSubstr("Fisher's exact p = .149")));
     EXPECT_THAT(test_words(published.validity->by_level.at(0)),
                 HasSubstr("the answers of each participant are not known"));
 }
@@ -113,8 +113,8 @@ TEST(H3, OfPeopleWhoNeverChangedTheAnswerLeavesOpenWhatSoFewCannotShow) {
     const Comparison comparison = three_levels.analysed().validity->by_level.at(0);
     EXPECT_EQ(p_of(comparison)->p, 1.0);
     EXPECT_EQ(test_words(comparison),
-              "Cochran's Q on the same 5 participants, each answered alike at every level, p "
-              "1.000000");
+              "Cochran's Q on the same 5 participants, each answered alike at every level, p > "
+              ".999");
     Study two_levels;
     for (int i = 0; i < 10; ++i) two_levels.add({true, true});
     const Analysis analysis = two_levels.analysed();
@@ -127,7 +127,7 @@ TEST(H3, OfPeopleWhoNeverChangedTheAnswerLeavesOpenWhatSoFewCannotShow) {
     EXPECT_EQ(analysis.verdicts.back().conclusion, Conclusion::kUndecided);
     EXPECT_THAT(analysis.verdicts.back().sentence,
                 AllOf(HasSubstr("McNemar's exact test on the same 10 participants, nobody changed "
-                                "the answer, p 1.000000"),
+                                "the answer, p > .999"),
                       HasSubstr("95 % interval -30.8 to +30.8"),
                       HasSubstr("leaves a difference of 15 points or more possible")));
 }

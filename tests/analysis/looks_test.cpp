@@ -12,6 +12,8 @@
 #include "analysis/presentation/json_report.h"
 #include "analysis/presentation/text_report.h"
 #include "analysis/statistics/alpha_spending.h"
+#include "analysis/statistics/chi_square.h"
+#include "analysis/statistics/exact_binomial.h"
 #include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 
@@ -145,6 +147,61 @@ TEST(Looks, WithoutAPlanSaySoAndWhatTheyDoToFivePerCent) {
     EXPECT_THAT(planned_once.look->words, HasSubstr("not in 5 %"));
     const auto read = nlohmann::json::parse(json_report(third));
     EXPECT_EQ(read["look"]["number"], 3);
+}
+
+/// How often something is found in so many pooled conditions where nothing is, with looks at these
+/// numbers of participants.
+double simulated_error(int conditions, std::vector<std::int64_t> looks) {
+    Tally tally;
+    tally.study = "own";
+    for (int i = 0; i < conditions; ++i) {
+        ConditionVotes& condition = tally.conditions.emplace_back();
+        condition.id = "C" + std::to_string(i);
+        condition.hypothesis = "H1";
+        condition.variant_a = "None";
+        condition.variant_b = "Blizzard24";
+    }
+    tally.participants.resize(static_cast<std::size_t>(looks.back()));
+    looks.pop_back();
+    tally.looks_before = std::move(looks);
+    return look_of(tally)->error;
+}
+
+/// The same of one condition by a test of its votes, over all ways in which they may come.
+template <typename P>
+double exact_error(const std::vector<std::int64_t>& looks, P p_of) {
+    std::vector<double> chance{1.0};  // of so many votes for B without a look that found something
+    double error = 0.0;
+    for (const std::int64_t look : looks) {
+        while (static_cast<std::int64_t>(chance.size()) <= look) {
+            std::vector<double> next(chance.size() + 1);
+            for (std::size_t b = 0; b < chance.size(); ++b) {
+                next[b] += chance[b] / 2.0;
+                next[b + 1] += chance[b] / 2.0;
+            }
+            chance.swap(next);
+        }
+        for (std::int64_t b = 0; b <= look; ++b) {
+            if (p_of(b, look) >= .05) continue;
+            error += chance[static_cast<std::size_t>(b)];
+            chance[static_cast<std::size_t>(b)] = 0.0;
+        }
+    }
+    return error;
+}
+
+TEST(Looks, AtEveryTwelfthOrTenthParticipantFindWhatIsNotThereTooOften) {
+    const auto near = [](double share) { return 3.0 * std::sqrt(share * (1.0 - share) / 2000.0); };
+    EXPECT_NEAR(simulated_error(3, {12, 24, 36}), .085, near(.085));
+    const std::vector<std::int64_t> tens{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
+    EXPECT_NEAR(exact_error(tens,
+                            [](std::int64_t b, std::int64_t n) {
+                                return chi_square_equal_split({n - b, b})->p.p;
+                            }),
+                .19, .005);
+    const double exact =
+        exact_error(tens, [](std::int64_t b, std::int64_t n) { return exact_binomial(b, n)->p; });
+    EXPECT_NEAR(simulated_error(1, tens), exact, near(exact));
 }
 
 TEST(Looks, ThatAreTheOnlyOneOfTheirPlanSayJustThat) {

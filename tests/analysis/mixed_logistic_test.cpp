@@ -154,19 +154,43 @@ TEST(ModelCheck, FindsWhatTheAnswersWereMadeWith) {
         {.model = true});
     const ModelCheck& model = *analysis.hypotheses.at(0).model;
     EXPECT_EQ(model.participants, 600);
-    EXPECT_NEAR(model.effect.log_odds, .4, 3.0 * model.effect.standard_error);
-    EXPECT_NEAR(model.effect.standard_error, .055, .01);
+    EXPECT_NEAR(model.effect->log_odds, .4, 3.0 * model.effect->standard_error);
+    EXPECT_NEAR(model.effect->standard_error, .055, .01);
     EXPECT_NEAR(model.sd, 1.0, .2);
     EXPECT_NEAR(model.order->log_odds, .3, 3.0 * model.order->standard_error);
     EXPECT_EQ(model.conditions_differ->df, 5);
     const ModelCheck& levels = *analysis.validity->by_level.at(0).model;
-    EXPECT_NEAR(levels.effect.log_odds, 0.0, 3.0 * levels.effect.standard_error);
+    EXPECT_NEAR(levels.effect->log_odds, 0.0, 3.0 * levels.effect->standard_error);
     EXPECT_THAT(text_report(analysis),
                 AllOf(HasSubstr("adaptive Gauss-Hermite"), HasSubstr("Clark 1973")));
     const json report = json::parse(json_report(analysis))["hypotheses"];
     EXPECT_EQ(report["H1"]["model"]["quadrature_nodes"], kMixedNodes);
-    EXPECT_EQ(report["H1"]["model"]["effect"]["log_odds"].get<double>(), model.effect.log_odds);
+    EXPECT_EQ(report["H1"]["model"]["effect"]["log_odds"].get<double>(), model.effect->log_odds);
     EXPECT_TRUE(report["H3"]["comparisons"][0]["model"].contains("effect"));
+}
+
+TEST(ModelCheck, OfThreeLevelsIsTheLikelihoodRatioOfTheirTerms) {
+    base::Random random(11);
+    std::string text =
+        "observer,study,condition,scene,validity,hypothesis,condition_A,condition_B,is_A_"
+        "selected\n";
+    for (int who = 0; who < 300; ++who) {
+        for (const auto& [level, share] :
+             {std::pair("low", .4), std::pair("moderate", .5), std::pair("high", .7)}) {
+            text += fmt::format("p{},jakobsen2010,c{},hall,{},H1,None,Blizzard24,{:d}\n", who,
+                                level, level, random.uniform(0.0, 1.0) >= share);
+        }
+    }
+    const Analysis analysis =
+        analyse(tally_of(parse_trials(text, "t.csv"), "", Kind::kParticipant), {.model = true});
+    const Comparison& comparison = analysis.validity->by_level.at(0);
+    ASSERT_EQ(comparison.levels.size(), 3U);
+    ASSERT_TRUE(comparison.model.has_value()) << comparison.model.reason;
+    EXPECT_FALSE(comparison.model->effect.has_value());
+    EXPECT_EQ(comparison.model->conditions_differ->df, 2);
+    // Nobody hangs together: the ratio is that of the counts, near their chi-square.
+    EXPECT_NEAR(comparison.model->conditions_differ->statistic, comparison.test->statistic, 1.5);
+    EXPECT_THAT(text_report(analysis), HasSubstr("levels differ: likelihood ratio"));
 }
 
 TEST(ModelCheck, IsLeftOutUnlessAskedFor) {

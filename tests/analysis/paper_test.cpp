@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/conclusions/words.h"
 #include "analysis/counts_file.h"
 #include "analysis/presentation/journal.h"
 #include "analysis/presentation/latex.h"
@@ -59,15 +60,15 @@ Analysis of_people() {
 }
 
 TEST(Journal, PrintsPValuesAsJournalsDo) {
-    EXPECT_EQ(journal_p(PValue{.031234, -1.5}), ".031");
-    EXPECT_EQ(journal_p(PValue{.00051, -3.3}), ".001");
-    EXPECT_EQ(journal_p(PValue{.00049, -3.3}), "< .001");
-    EXPECT_EQ(journal_p(PValue{0.0, -1004.0}), "< .001");
-    EXPECT_EQ(journal_p(PValue{1.0, 0.0}), "> .999");
-    EXPECT_EQ(journal_p(PValue{.9994, 0.0}), ".999");
-    EXPECT_EQ(journal_p_words(PValue{.031234, -1.5}), "p = .031");
-    EXPECT_EQ(journal_p_words(PValue{1e-9, -9.0}), "p < .001");
-    EXPECT_EQ(journal_p(Possible<double>::none("no votes")), "none");
+    EXPECT_EQ(p_number(PValue{.031234, -1.5}), ".031");
+    EXPECT_EQ(p_number(PValue{.00051, -3.3}), ".001");
+    EXPECT_EQ(p_number(PValue{.00049, -3.3}), "< .001");
+    EXPECT_EQ(p_number(PValue{0.0, -1004.0}), "< .001");
+    EXPECT_EQ(p_number(PValue{1.0, 0.0}), "> .999");
+    EXPECT_EQ(p_number(PValue{.9994, 0.0}), ".999");
+    EXPECT_EQ(p_words(PValue{.031234, -1.5}), "p = .031");
+    EXPECT_EQ(p_words(PValue{1e-9, -9.0}), "p < .001");
+    EXPECT_EQ(p_number(Possible<double>::none("no votes")), "none");
 }
 
 TEST(Latex, MakesEveryLetterSafeAndCitesByKey) {
@@ -78,6 +79,8 @@ TEST(Latex, MakesEveryLetterSafeAndCitesByKey) {
               "after Holm \\cite{holm1979,wilson1927}.");
     EXPECT_EQ(latex_text("[1, 2] \u201cyes\u201d 4\u00a0%"), "[1, 2] ``yes'' 4~\\%");
     EXPECT_EQ(latex_text("open [@never"), "open [@never");
+    EXPECT_EQ(latex_text("-3.1 to -0.5 (-2), well-known 2-3"),
+              "$-$3.1 to $-$0.5 ($-$2), well-known 2-3");
 }
 
 TEST(Latex, GivesOnlyTheEntriesThatAreCited) {
@@ -139,12 +142,34 @@ TEST(Paper, TakesEveryNumberOfAVerdictFromTheAnalysis) {
         EXPECT_THAT(results, HasSubstr(verdict.hypothesis + ": " + line + '.'));
         EXPECT_THAT(summary_text(analysis), HasSubstr(verdict.hypothesis + ": "));
         if (verdict.p.has_value()) {
-            EXPECT_THAT(line, HasSubstr(journal_p_words(*verdict.p)));
+            EXPECT_THAT(line, HasSubstr(p_words(*verdict.p)));
         }
     }
     const HypothesisResult& h1 = analysis.hypotheses.front();
     EXPECT_THAT(results, HasSubstr(fmt::format("B in {} of {} votes", h1.pooled.votes.b,
                                                h1.pooled.votes.n())));
+}
+
+TEST(Paper, NamesEveryComparisonOfAVerdictOnValidity) {
+    const Analysis published = analyse(published_votes());
+    const Verdict& verdict = published.verdicts.back();
+    ASSERT_EQ(verdict.compared.size(), 2U);
+    EXPECT_NEAR(verdict.compared[0].p->p, .621034, 5e-7);
+    EXPECT_NEAR(verdict.compared[1].p->p, .148839, 5e-7);
+    EXPECT_EQ(*verdict.compared[1].p_holm, *verdict.p_holm);
+    const std::string line = verdict_line(published, verdict);
+    EXPECT_THAT(line, AllOf(HasSubstr("; II and V: the share of B changes by -13.2 to +28.9 points "
+                                      "(95 % CI), p = .621, corrected p > .999"),
+                            HasSubstr("; III and VI: the share of B changes by -39.4 to +3.1 "
+                                      "points (95 % CI), p = .149, corrected p = .595")));
+    const auto table = parse_csv(paper_of(published_input()).at("table-2.csv"), "table-2.csv");
+    EXPECT_EQ(table.size(), 7U) << "a heading, four verdicts and both comparisons";
+}
+
+TEST(Paper, SaysThatASecondaryHypothesisIsNotCorrected) {
+    const Analysis published = analyse(published_votes());
+    EXPECT_THAT(verdict_line(published, published.verdicts[2]),
+                HasSubstr("p = .618, secondary and not corrected"));
 }
 
 TEST(Paper, HasFiguresAtJournalWidthsWithoutTitles) {

@@ -56,6 +56,20 @@ TEST(McNemar, MeetsTheApprovalRatings) {
     EXPECT_NEAR(test->exact.p, 3.715936e-5, 5e-12);
 }
 
+TEST(McNemar, KeepsItsLevelExactAndNotByChiSquare) {
+    double by_chi_square = 0.0;
+    double exact = 0.0;
+    for (int b = 0; b <= 26; ++b) {
+        const double chance = std::exp(std::lgamma(27.0) - std::lgamma(b + 1.0) -
+                                       std::lgamma(27.0 - b) - 26.0 * std::log(2.0));
+        const auto test = mcnemar({26 - b, b});
+        if (test->uncorrected.p.p < .05) by_chi_square += chance;
+        if (test->exact.p < .05) exact += chance;
+    }
+    EXPECT_NEAR(by_chi_square, .076, 5e-4);
+    EXPECT_LE(exact, .05);
+}
+
 TEST(McNemar, IsExactWhateverTheNumberOfChangedAnswers) {
     const auto test = mcnemar({1, 7});
     EXPECT_NEAR(test->exact.p, 18.0 / 256.0, 1e-15);  // 2 (1 + 8) / 2^8

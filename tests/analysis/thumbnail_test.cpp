@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/presentation/thumbnail.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <gmock/gmock.h>
 
 #include <vector>
 
 #include "renderer/base/error.h"
+#include "renderer/images/images.h"
 
 namespace obscura::analysis {
 namespace {
@@ -20,35 +18,42 @@ std::string stripes(int width, int height, unsigned char one, unsigned char othe
     for (int i = 0; i < width * height; ++i) {
         for (int c = 0; c < 3; ++c) pixels.push_back(i % width % 2 == 0 ? one : other);
     }
-    OIIO::ImageBuf image(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8));
-    image.set_pixels(image.roi(), OIIO::TypeDesc::UINT8, pixels.data());
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput writer(bytes);
-    image.set_write_ioproxy(&writer);
-    EXPECT_TRUE(image.write("stripes.png"));
-    return {bytes.begin(), bytes.end()};
+    std::string why;
+    return images::library().png({width, height, 3, 3, pixels.data()}, why);
 }
 
-OIIO::ImageBuf decoded(const std::string& bytes) {
-    OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());
-    OIIO::ImageBuf image("thumbnail.jpg", 0, 0, nullptr, nullptr, &reader);
-    EXPECT_TRUE(image.read(0, 0, true, OIIO::TypeDesc::FLOAT));
+struct Decoded {
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;
+    [[nodiscard]] float green(int x, int y) const {
+        return values[3 * static_cast<std::size_t>(y * width + x) + 1];
+    }
+};
+
+Decoded decoded(const std::string& bytes) {
+    std::string why;
+    const std::unique_ptr<images::Reader> reader = images::library().open(bytes, "jpg", why);
+    if (!reader) throw std::runtime_error(why);
+    Decoded image{reader->width, reader->height, {}};
+    image.values.resize(3 * static_cast<std::size_t>(image.width * image.height));
+    EXPECT_TRUE(reader->read_floats(3, image.values.data(), why)) << why;
     return image;
 }
 
 TEST(Thumbnail, AveragesLightAndNotCodeValues) {
     // Half black and half white is half the light: sRGB code value 188 (IEC 61966-2-1), not 128.
-    const OIIO::ImageBuf image = decoded(thumbnail(stripes(64, 32, 0, 255), "stripes", 16));
-    EXPECT_EQ(image.spec().width, 16);
-    EXPECT_EQ(image.spec().height, 8);
-    EXPECT_NEAR(image.getchannel(8, 4, 0, 1) * 255.0F, 188.0F, 2.0F);
+    const Decoded image = decoded(thumbnail(stripes(64, 32, 0, 255), "stripes", 16));
+    EXPECT_EQ(image.width, 16);
+    EXPECT_EQ(image.height, 8);
+    EXPECT_NEAR(image.green(8, 4) * 255.0F, 188.0F, 2.0F);
 }
 
 TEST(Thumbnail, KeepsASmallImagesSizeAndItsGrey) {
-    const OIIO::ImageBuf image = decoded(thumbnail(stripes(24, 10, 128, 128), "grey", 600));
-    EXPECT_EQ(image.spec().width, 24);
-    EXPECT_EQ(image.spec().height, 10);
-    EXPECT_NEAR(image.getchannel(12, 5, 0, 1) * 255.0F, 128.0F, 1.5F);
+    const Decoded image = decoded(thumbnail(stripes(24, 10, 128, 128), "grey", 600));
+    EXPECT_EQ(image.width, 24);
+    EXPECT_EQ(image.height, 10);
+    EXPECT_NEAR(image.green(12, 5) * 255.0F, 128.0F, 1.5F);
 }
 
 TEST(Thumbnail, IsTheSameBytesAgain) {

@@ -8,8 +8,8 @@
 // deviation 1 and 2 (log odds), shared over conditions; bl and bs, 2, apart for each level and each
 // scene; order, b1 with the second image chosen by 60 %; careless, b1 with a fifth who always
 // choose the first; varied, b1 with sides varied within a session. Preferences that differ between
-// scenes only: scenes. What is there to be found: .65, every B preferred by that share, and b1's
-// likings beside it; high, by that share at the high level alone.
+// scenes only: scenes. What is there to be found: .65 a, every B preferred by that share, with b1's
+// likings beside it .65 b1; high, by that share at the high level alone.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -67,7 +67,8 @@ int main(int count, char** arguments) {
     std::vector<tests::People> all = tests::nobody_prefers();
     all.push_back({.name = "varied", .sd = 1.0, .sides_vary = true});
     all.push_back(tests::scenes_differ());
-    all.push_back({.name = ".65", .sd = 1.0, .shares = {.65, .65, .65, .65, .65, .65, .65}});
+    all.push_back({.name = ".65 a", .shares = {.65, .65, .65, .65, .65, .65, .65}});
+    all.push_back({.name = ".65 b1", .sd = 1.0, .shares = {.65, .65, .65, .65, .65, .65, .65}});
     all.push_back({.name = "high", .sd = 1.0, .shares = {.5, .5, .5, .5, .65, .65, .65}});
     for (const int participants : {12, 36, 120}) {
         std::vector<std::string> head;

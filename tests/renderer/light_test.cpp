@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/gl/context.h"
+#include "renderer/images/images.h"
 #include "renderer/light/environment.h"
 #include "renderer/light/shadow.h"
 #include "tests/support/temporary_folder.h"
@@ -34,10 +34,10 @@ TEST(Environment, ALookUpFindsTheTexelThatTheDirectionCameFrom) {
 /// Writes the image under that name, in the format that its ending asks for.
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<glm::vec3>& pixels) {
-    const auto output = OIIO::ImageOutput::create(file.string());
-    ASSERT_TRUE(output && output->open(file.string(), {width, height, 3, OIIO::TypeDesc::FLOAT}));
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
-    ASSERT_TRUE(output->close());
+    std::string why;
+    ASSERT_TRUE(
+        images::library().write(file, {width, height, {"R", "G", "B"}, &pixels.data()->x, {}}, why))
+        << why;
 }
 
 TEST(Environment, AnEquirectangularImageIsReadAsItIs) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "stimuli/manifest.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/images/images.h"
 #include "stimuli/study_reader.h"
 #include "tests/stimuli/study_fixture.h"
 #include "tests/support/temporary_folder.h"
@@ -43,10 +43,9 @@ class Stimuli : public testing::Test {
         const std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * height * 3,
                                                 shade_);
         shade_ = static_cast<unsigned char>(shade_ + 40);
-        const auto output = OIIO::ImageOutput::create(path.string());
-        ASSERT_TRUE(output);
-        ASSERT_TRUE(output->open(path.string(), {width, height, 3, OIIO::TypeDesc::UINT8}));
-        ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, pixels.data()));
+        std::string why;
+        base::write_file_atomically(
+            path, images::library().png({width, height, 3, 3, pixels.data()}, why));
     }
 
     void add_image(const Condition& condition, const std::string& side,

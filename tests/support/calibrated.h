@@ -105,7 +105,7 @@ inline void count_hypothesis(const analysis::HypothesisResult& result, const std
     rates.count(name + ", interval", holds(result.interval->bounds, share));
     rates.count(name + ", credible interval", holds(result.posterior->interval, share));
     if (result.model.has_value()) {
-        rates.count(name + ", mixed model", result.model->effect.p.p < .05);
+        rates.count(name + ", mixed model", result.model->effect->p.p < .05);
     }
 }
 
@@ -140,7 +140,7 @@ inline void count_studies(const People& people, int participants, int studies, s
             rates.count("H3, McNemar", p_of(comparison)->p < .05);
             rates.count("H3, interval", holds(comparison.differences.at(0).interval, 0.0));
             if (comparison.model.has_value()) {
-                rates.count("H3, mixed model", comparison.model->effect.p.p < .05);
+                rates.count("H3, mixed model", comparison.model->effect->p.p < .05);
             }
         }
         bool any = false;

@@ -14,7 +14,7 @@ using glm::vec2;
 using glm::vec3;
 using renderer::Mesh;
 
-constexpr float kRadius = 1.12F;
+constexpr float kReliefRadius = 1.12F;
 constexpr float kCentreY = 7.35F;
 
 /// The larger of two heights, rounded where they meet over `k`.
@@ -93,19 +93,19 @@ void build_relief(Site& site) {
     options.columns = 140;
     options.rows = 58;
     options.closed_u = true;
-    options.size_m = {glm::two_pi<float>() * kRadius, kRadius};
+    options.size_m = {glm::two_pi<float>() * kReliefRadius, kReliefRadius};
     Mesh mask = patch(options, [](float u, float v) {
         const float angle = glm::two_pi<float>() * u;
         const float r = 1.0F - v;  // from the rim inwards: the outside is +z
         const vec2 p(r * std::cos(angle), r * std::sin(angle));
         const float rim = glm::smoothstep(1.0F, 0.96F, r);
         const float chipped = 0.012F * fbm(vec3(p * 6.0F, 0.0F), 5, 3);
-        return kRadius * vec3(p, rim * (0.62F * lion(p) + chipped));
+        return kReliefRadius * vec3(p, rim * (0.62F * lion(p) + chipped));
     });
     for (renderer::Vertex& vertex : mask.vertices) {
         vertex.uv = vec2(vertex.position_m.x, -vertex.position_m.y);
         // Hollows keep the dust and soot of centuries.
-        const float depth = std::clamp(vertex.position_m.z / (0.3F * kRadius), 0.0F, 1.0F);
+        const float depth = std::clamp(vertex.position_m.z / (0.3F * kReliefRadius), 0.0F, 1.0F);
         vertex.color = glm::u8vec4(
             glm::vec4(glm::mix(vec3(175.0F, 165.0F, 150.0F), vec3(255.0F), depth), 255.0F));
     }
@@ -124,7 +124,8 @@ void build_relief(Site& site) {
                 glm::two_pi<float>();
             const vec3 out(std::cos(turn), std::sin(turn), 0.0F);
             // x outwards, y towards the court: the path runs along out cross z, clockwise.
-            frames.insert(frames.begin(), {out * (kRadius + 0.04F), out, vec3(0.0F, 0.0F, 1.0F)});
+            frames.insert(frames.begin(),
+                          {out * (kReliefRadius + 0.04F), out, vec3(0.0F, 0.0F, 1.0F)});
         }
         const auto own = 70100U + static_cast<std::uint32_t>(i);
         site.put(Surface::kStone, sweep(section, frames), frame, own, shade(own, 0.16F));

@@ -9,36 +9,16 @@
 #include "analysis/store/store.h"
 #include "app/kiosk/store_lock.h"
 #include "tests/app/commands/run_program.h"
+#include "tests/app/commands/study_text.h"
 
 namespace obscura::app {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kDemoStudy = R"([study]
-name = "tiny"
-title = "Tiny"
-question = "Which?"
-instructions = "Look."
-resolution = [64, 48]
-order = "fixed"
-seed = 7
-[[scene]]
-id = "stone"
-source = "relic"
-camera = "front"
-validity = "low"
-[[condition]]
-id = "one"
-scene = "stone"
-hypothesis = "H1"
-a = { technique = "none" }
-b = { technique = "crytek", samples = 8 }
-)";
-
 TEST(DemoCommand, ReplacesAnEmptyFileAndAnEarlierDemoButNoStoreOfAKioskThatRuns) {
     const tests::TemporaryFolder folder;
-    base::write_file_atomically(folder / "tiny.toml", kDemoStudy);
+    base::write_file_atomically(folder / "tiny.toml", tiny_study("tiny"));
     const std::filesystem::path file = folder.path() / "out" / "responses.sqlite";
     const std::string url = "sqlite3://" + file.string();
     const auto demo = [&](int observers) {

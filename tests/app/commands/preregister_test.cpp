@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/commands/run_program.h"
+#include "tests/app/commands/study_text.h"
 
 namespace obscura::app {
 namespace {
@@ -15,25 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr const char* kRegistered = R"([study]
-name = "reg"
-title = "Registered"
-question = "Which?"
-instructions = "Look."
-resolution = [64, 48]
-order = "fixed"
-seed = 7
-[[scene]]
-id = "stone"
-source = "relic"
-camera = "front"
-validity = "low"
-[[condition]]
-id = "one"
-scene = "stone"
-a = { technique = "none" }
-b = { technique = "crytek", samples = 8 }
-[[hypothesis]]
+constexpr const char* kFixed = R"([[hypothesis]]
 id = "P"
 statement = "It looks better."
 kind = "preference"
@@ -45,7 +28,7 @@ spending = "pocock"
 
 TEST(Preregistration, FixesAllOfAStudyAndItsAnalysisSaysWhatDeviates) {
     const tests::TemporaryFolder folder;
-    base::write_file_atomically(folder / "reg.toml", kRegistered);
+    base::write_file_atomically(folder / "reg.toml", tiny_study("reg") + kFixed);
     const std::string plan = "plan reg.toml --participants 12 --preregister reg --quiet";
     const ProgramRun early = run_program(folder, plan);
     EXPECT_EQ(early.exit_code, 2);
@@ -78,7 +61,7 @@ TEST(Preregistration, FixesAllOfAStudyAndItsAnalysisSaysWhatDeviates) {
     const auto other_number = deviations("9");
     ASSERT_EQ(other_number.size(), 1U);
     EXPECT_EQ(other_number[0], "9 participants completed the study, registered are 12.");
-    std::string changed = kRegistered;
+    std::string changed = tiny_study("reg") + kFixed;
     changed.replace(changed.find("It looks better."), 16, "It looks worse..");
     base::write_file_atomically(folder / "reg.toml", changed);
     const auto other_file = deviations("12");
@@ -89,7 +72,7 @@ TEST(Preregistration, FixesAllOfAStudyAndItsAnalysisSaysWhatDeviates) {
 
 TEST(Preregistration, ThatIsNoneIsRefused) {
     const tests::TemporaryFolder folder;
-    base::write_file_atomically(folder / "reg.toml", kRegistered);
+    base::write_file_atomically(folder / "reg.toml", tiny_study("reg") + kFixed);
     base::write_file_atomically(folder / "none.md", "# Nothing\n");
     base::write_file_atomically(folder / "bad.md", "```json\n{\"format\": 2}\n```\n");
     ASSERT_EQ(run_program(folder, "rehearse reg.toml --store s.sqlite --participants 4 --quiet")

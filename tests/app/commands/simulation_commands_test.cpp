@@ -11,6 +11,7 @@
 #include "analysis/store/store.h"
 #include "app/kiosk/choice_model.h"
 #include "tests/app/commands/run_program.h"
+#include "tests/app/commands/study_text.h"
 
 namespace obscura::app {
 namespace {
@@ -19,35 +20,11 @@ using analysis::Kind;
 using analysis::Store;
 using testing::HasSubstr;
 
-constexpr const char* kOwnStudy = R"([study]
-name = "own"
-title = "A title"
-question = "Which?"
-instructions = "Look."
-order = "latin-square"
-sides = "trial"
-seed = 7
-[[scene]]
-id = "day"
-source = "atrium"
-camera = "nave"
-validity = "high"
-[[scene]]
-id = "dusk"
-source = "atrium"
-camera = "nave"
-validity = "moderate"
-[[condition]]
-id = "one"
-scene = "day"
-a = { technique = "none" }
-b = { technique = "blizzard" }
-[[condition]]
-id = "two"
-scene = "dusk"
-a = { technique = "none" }
-b = { technique = "blizzard" }
-[[hypothesis]]
+std::string own_study() {
+    return study_head("own", "latin-square", "sides = \"trial\"\n") +
+           scene_text("day", "atrium", "high") + scene_text("dusk", "atrium", "moderate") +
+           condition_text("one", "day", "\"none\"", "\"blizzard\"") +
+           condition_text("two", "dusk", "\"none\"", "\"blizzard\"") + R"([[hypothesis]]
 id = "P"
 statement = "It looks better."
 kind = "preference"
@@ -58,10 +35,11 @@ statement = "Light matters."
 kind = "interaction"
 pairs = [["one", "two"]]
 )";
+}
 
 class SimulationCommands : public testing::Test {
   protected:
-    void SetUp() override { base::write_file_atomically(folder_ / "own.toml", kOwnStudy); }
+    void SetUp() override { base::write_file_atomically(folder_ / "own.toml", own_study()); }
 
     [[nodiscard]] Store store() const {
         return {"sqlite3://" + (folder_ / "obscura-data/rehearsal/own.sqlite").string(),
@@ -152,6 +130,22 @@ TEST_F(SimulationCommands, PowerOfAStudyIsOfEveryVerdictWithItsErrorAndTheSameFo
     const double share = wrong["at"]["frequency"].get<double>();
     EXPECT_NEAR(wrong["at"]["standard_error"].get<double>(), std::sqrt(share * (1 - share) / 200),
                 1e-12);
+}
+
+TEST_F(SimulationCommands, PowerOfAStudySaysWhatOfTheStudyItDoesNotSimulate) {
+    const std::string command =
+        "power own.toml --share .95 --sd 0 --participants 12 --studies 100 --json --quiet";
+    EXPECT_TRUE(nlohmann::json::parse(run_program(folder_, command).out)["not_simulated"].empty());
+    base::write_file_atomically(folder_ / "own.toml",
+                                own_study() +
+                                    "[stopping]\nlooks = [6, 12]\nspending = "
+                                    "\"pocock\"\n[exclusion]\nmin_response_time_s = 0.3\n");
+    const ProgramRun run = run_program(folder_, command);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto passed_over = nlohmann::json::parse(run.out)["not_simulated"];
+    ASSERT_EQ(passed_over.size(), 2U);
+    EXPECT_THAT(passed_over[0].get<std::string>(), HasSubstr("2 looks are planned"));
+    EXPECT_THAT(passed_over[1].get<std::string>(), HasSubstr("0.3 s"));
 }
 
 TEST_F(SimulationCommands, PowerOfAStudyRefusesWhatIsOfOneConditionAlone) {

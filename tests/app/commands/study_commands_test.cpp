@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/commands/run_program.h"
+#include "tests/app/commands/study_text.h"
 
 namespace obscura::app {
 namespace {
@@ -14,37 +15,21 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* kGoodStudy = R"([study]
-name = "good"
-title = "A title"
-question = "Which?"
-instructions = "Look."
-order = "williams"
-seed = 7
-[[scene]]
-id = "stone"
-source = "relic"
-camera = "front"
-validity = "low"
-[[condition]]
-id = "one"
-scene = "stone"
-a = { technique = "none" }
-b = { technique = "blizzard" }
-[[condition]]
-id = "two"
-scene = "stone"
-a = { technique = "crytek" }
-b = { technique = "raymarch" }
-)";
+std::string good_study() {
+    return study_head("good", "williams") + scene_text("stone", "relic", "low") +
+           condition_text("one", "stone", "\"none\"", "\"blizzard\"") +
+           condition_text("two", "stone", "\"crytek\"", "\"raymarch\"");
+}
 
 class StudyCommands : public testing::Test {
   protected:
-    void SetUp() override { base::write_file_atomically(folder_.path() / "good.toml", kGoodStudy); }
+    void SetUp() override {
+        base::write_file_atomically(folder_.path() / "good.toml", good_study());
+    }
 
     /// good.toml with one text replaced, as bad.toml.
     void write_bad(const std::string& from, const std::string& to) {
-        std::string text = kGoodStudy;
+        std::string text = good_study();
         text.replace(text.find(from), from.size(), to);
         base::write_file_atomically(folder_.path() / "bad.toml", text);
     }

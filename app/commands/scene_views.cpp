@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/commands/scene_views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/commands/image_size.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
+#include "renderer/frame/renderer.h"
+#include "renderer/gl/context.h"
+#include "renderer/technique/reference.h"
+#include "stimuli/png.h"
+#include "stimuli/scenes/good_views.h"
+#include "stimuli/scenes/open_scene.h"
+#include "stimuli/stimulus.h"
+
+namespace obscura::app {
+namespace {
+
+struct ViewOptions {
+    std::string scene;
+    double scale = 1.0;
+    std::string out;
+    std::string camera;
+    std::string position;
+    std::string look_at;
+    double fov_deg = 45.0;
+    std::string validity;
+    std::string technique = "blizzard";
+    std::string size = "1280x720";
+    int count = 6;
+};
+
+/// One opened scene on the GPU, of which images are made.
+class Painter {
+  public:
+    explicit Painter(const ViewOptions& options) {
+        stimuli::SceneSettings settings;
+        settings.scale = options.scale;
+        opened_ = stimuli::open_scene(options.scene, settings);
+        for (const std::string& note : opened_.notes) {
+            base::log::warn("{}: {}", opened_.title, note);
+        }
+        technique_ = renderer::find_technique(options.technique);
+        if (technique_ == nullptr) {
+            throw base::bad_input("--technique: there is no technique \"{}\"", options.technique);
+        }
+        // Where nothing is said, light that shows shapes.
+        const bool has_moderate = std::find(opened_.levels.begin(), opened_.levels.end(),
+                                            stimuli::Validity::kModerate) != opened_.levels.end();
+        validity_ =
+            opened_.level(options.validity.empty() && has_moderate ? "moderate" : options.validity);
+    }
+
+    [[nodiscard]] const stimuli::OpenedScene& opened() const { return opened_; }
+
+    [[nodiscard]] stimuli::RgbImage paint(const renderer::Camera& camera, int width, int height) {
+        if (!gpu_) gpu_ = std::make_unique<renderer::GpuScene>(*opened_.scene);
+        renderer::Variant variant = renderer::standard_variant(*technique_);
+        variant.denoise = renderer::standard_denoise(*technique_);
+        if (!technique_->reach.empty()) {
+            const renderer::Parameter& reach = *technique_->find_parameter(technique_->reach);
+            variant.parameters[reach.name] =
+                std::clamp(stimuli::fitting_radius_m(camera), reach.low, reach.high);
+        }
+        const renderer::Lighting lighting = opened_.lighting(validity_);
+        const auto rays = [this]() -> const renderer::ReferenceScene& {
+            if (!rays_) rays_ = std::make_unique<renderer::ReferenceScene>(*opened_.scene);
+            return *rays_;
+        };
+        const auto traced = [&](const renderer::Camera& from, int w, int h,
+                                const renderer::Variant& choice) {
+            return rays().trace(from, w, h, renderer::reference_options(choice)).accessibility;
+        };
+        return stimuli::image_of(renderer_.render(
+            {*gpu_, lighting, camera, {.supersampling = 2}, traced, rays}, variant, width, height));
+    }
+
+  private:
+    renderer::HeadlessContext context_;
+    renderer::Renderer renderer_;
+    stimuli::OpenedScene opened_;
+    const renderer::Technique* technique_ = nullptr;
+    stimuli::Validity validity_ = stimuli::Validity::kLow;
+    std::unique_ptr<renderer::GpuScene> gpu_;
+    std::unique_ptr<renderer::ReferenceScene> rays_;
+};
+
+void require_png(const std::string& file) {
+    if (!file.ends_with(".png")) {
+        throw base::bad_input("--out: \"{}\" does not end in .png, which is what is written", file);
+    }
+}
+
+glm::vec3 point_of(const char* option, const std::string& text) {
+    glm::vec3 point;
+    char rest = '\0';
+    if (std::sscanf(text.c_str(), "%f,%f,%f%c", &point.x, &point.y, &point.z, &rest) != 3 ||
+        !std::isfinite(point.x + point.y + point.z)) {
+        throw base::bad_input("{}: \"{}\" is no point; allowed is X,Y,Z in metres", option, text);
+    }
+    return point;
+}
+
+/// What the options name; without any the scene's first own camera, or the best view of a file
+/// that has none.
+renderer::Camera camera_of(const ViewOptions& options, const stimuli::OpenedScene& opened) {
+    if (options.position.empty() != options.look_at.empty()) {
+        throw base::bad_input("--position and --look-at go together");
+    }
+    if (!options.position.empty()) {
+        if (!options.camera.empty()) {
+            throw base::bad_input("--camera names a camera, and --position describes another one");
+        }
+        if (!(options.fov_deg >= 1.0 && options.fov_deg <= 170.0)) {
+            throw base::bad_input("--fov: {} is not allowed; allowed is 1 to 170 degrees",
+                                  options.fov_deg);
+        }
+        renderer::Camera camera;
+        camera.position_m = point_of("--position", options.position);
+        camera.target_m = point_of("--look-at", options.look_at);
+        if (camera.position_m == camera.target_m) {
+            throw base::bad_input("--position and --look-at are the same point");
+        }
+        camera.vertical_fov_rad =
+            static_cast<float>(options.fov_deg) * std::numbers::pi_v<float> / 180.0F;
+        camera.far_m = 1000.0F;
+        return camera;
+    }
+    const bool has_own = opened.builtin || opened.scene->cameras.size() > 1 ||
+                         opened.scene->cameras.front().name != "overview";
+    if (!options.camera.empty() || has_own) return opened.camera(options.camera);
+    return stimuli::find_views(*opened.scene, 1).front().camera;
+}
+
+base::ExitCode preview(const ViewOptions& options) {
+    require_png(options.out);
+    const ImageSize size = parse_size(options.size);
+    Painter painter(options);
+    const renderer::Camera camera = camera_of(options, painter.opened());
+    base::write_file_atomically(
+        options.out, stimuli::encode_png(painter.paint(camera, size.width, size.height)));
+    base::log::info("{}: {}x{}, {} within {:g} m", options.out, size.width, size.height,
+                    options.technique, stimuli::fitting_radius_m(camera));
+    fmt::print("{}\n", camera.name.empty() ? stimuli::study_line(camera)
+                                           : fmt::format("camera = \"{}\"", camera.name));
+    return base::ExitCode::kDone;
+}
+
+/// Images of one size side by side, three in a row.
+stimuli::RgbImage sheet_of(const std::vector<stimuli::RgbImage>& images) {
+    constexpr int kColumns = 3;
+    constexpr int kGap = 4;
+    const int width = images.front().width + kGap;
+    const int height = images.front().height + kGap;
+    const int columns = std::min(kColumns, static_cast<int>(images.size()));
+    const int rows = (static_cast<int>(images.size()) + kColumns - 1) / kColumns;
+    stimuli::RgbImage sheet{columns * width - kGap, rows * height - kGap, {}};
+    sheet.rgb.assign(
+        3 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), 255);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const int left = static_cast<int>(i) % kColumns * width;
+        const int top = static_cast<int>(i) / kColumns * height;
+        const auto bytes = static_cast<std::ptrdiff_t>(3 * images[i].width);
+        for (int y = 0; y < images[i].height; ++y) {
+            std::copy_n(images[i].rgb.begin() + y * bytes, bytes,
+                        sheet.rgb.begin() +
+                            3 * (static_cast<std::ptrdiff_t>(top + y) * sheet.width + left));
+        }
+    }
+    return sheet;
+}
+
+base::ExitCode cameras(const ViewOptions& options) {
+    if (!options.out.empty()) require_png(options.out);
+    Painter painter(options);
+    const std::vector<stimuli::FoundView> views =
+        stimuli::find_views(*painter.opened().scene, options.count);
+    std::vector<stimuli::RgbImage> images;
+    int number = 0;
+    for (const stimuli::FoundView& view : views) {
+        fmt::print(
+            "# {}: surfaces in {:.0f} % of the image, {:.0f} % of the light around them kept "
+            "off, varying by {:.0f} %\n{}\n",
+            ++number, 100.0 * view.seen, 100.0 * view.occluded, 100.0 * view.spread,
+            stimuli::study_line(view.camera));
+        if (!options.out.empty()) images.push_back(painter.paint(view.camera, 480, 270));
+    }
+    for (const renderer::Camera& own : painter.opened().scene->cameras) {
+        fmt::print("# the scene's own\ncamera = \"{}\"\n", own.name);
+    }
+    if (!images.empty()) {
+        base::write_file_atomically(options.out, stimuli::encode_png(sheet_of(images)));
+        base::log::info("{}: the {} views that were found, from left to right, three in a row",
+                        options.out, images.size());
+    }
+    return base::ExitCode::kDone;
+}
+
+void add_view_options(const Options& app, ViewOptions& options) {
+    app.add("SCENE", options.scene,
+            "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
+        .required();
+    app.add("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
+        .shows_default();
+    app.add("--validity", options.validity,
+            "Level of light (default: moderate, else the scene's first)");
+    app.add("--technique", options.technique, "Technique of the images").shows_default();
+}
+
+}  // namespace
+
+void attach_cameras(const Options& scene, const ChosenAct& chosen) {
+    const auto options = std::make_shared<ViewOptions>();
+    const Options app = scene.add_command(
+        "cameras", "Find good views of a scene, as lines for a study file and as a contact sheet");
+    add_view_options(app, *options);
+    app.add("--count", options->count, "How many views").between(1, 12).shows_default();
+    app.add("--out", options->out, "Contact sheet to write, ends in .png (default: none)");
+    app.when_given([chosen, options] { *chosen = [options] { return cameras(*options); }; });
+}
+
+void attach_preview(const Options& scene, const ChosenAct& chosen) {
+    const auto options = std::make_shared<ViewOptions>();
+    const Options app = scene.add_command(
+        "preview", "One image of a scene, and its camera's line for a study file");
+    add_view_options(app, *options);
+    app.add("--camera", options->camera,
+            "Camera by its name (default: the first; the best view of a file without any)");
+    app.add("--position", options->position, "Of a camera of your own: X,Y,Z in metres");
+    app.add("--look-at", options->look_at, "What it looks at: X,Y,Z in metres");
+    app.add("--fov", options->fov_deg, "Its vertical field of view in degrees (1 to 170)")
+        .shows_default();
+    app.add("--size", options->size, "WxH in pixels").shows_default();
+    app.add("--out", options->out, "Image to write, ends in .png").required();
+    app.when_given([chosen, options] { *chosen = [options] { return preview(*options); }; });
+}
+
+}  // namespace obscura::app
