@@ -41,6 +41,12 @@ void allow_any_setting(TableReader& reader) {
     }
 }
 
+std::optional<std::string> read_option(TableReader& reader, const VariantOption& option) {
+    if (!option.number) return reader.text(option.name, Need::kOptional);
+    const std::optional<double> value = reader.number(option.name, Need::kOptional);
+    return value ? std::optional(fmt::format("{}", *value)) : std::nullopt;
+}
+
 void read_settings(TableReader& reader, const renderer::Technique& technique, Variant& variant) {
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     variant.samples = static_cast<int>(reader.integer("samples", Need::kOptional, -kMost, kMost)
@@ -48,8 +54,7 @@ void read_settings(TableReader& reader, const renderer::Technique& technique, Va
     variant.denoise =
         reader.text("denoise", Need::kOptional).value_or(renderer::standard_denoise(technique));
     for (const VariantOption& option : renderer::variant_options()) {
-        variant.*option.value =
-            reader.text(option.name, Need::kOptional).value_or(option.standard());
+        variant.*option.value = read_option(reader, option).value_or(option.standard());
     }
     for (const renderer::Parameter& parameter : technique.parameters) {
         const std::optional<double> value = reader.number(parameter.name, Need::kOptional);
@@ -110,7 +115,9 @@ std::string to_toml(const Variant& variant) {
     }
     for (const VariantOption& option : renderer::variant_options()) {
         const std::string& value = variant.*option.value;
-        if (value != option.standard()) text += fmt::format(", {} = \"{}\"", option.name, value);
+        if (value == option.standard()) continue;
+        text += option.number ? fmt::format(", {} = {}", option.name, value)
+                              : fmt::format(", {} = \"{}\"", option.name, value);
     }
     return text + " }";
 }

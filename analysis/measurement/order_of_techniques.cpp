@@ -24,7 +24,7 @@ const MeasurementRow* find_row(const std::vector<MeasurementRow>& rows, const Me
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const MeasurementRow& row) {
         return same_view(row, view) && row.technique == wanted.technique &&
                row.samples == wanted.samples && row.denoise == denoise && row.fitted == fitted &&
-               row.depth_format == view.depth_format && row.error.has_value();
+               row.options == view.options && row.error.has_value();
     });
     return found == rows.end() ? nullptr : &*found;
 }

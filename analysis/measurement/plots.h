@@ -11,13 +11,10 @@
 
 namespace obscura::analysis {
 
-/// The root mean square error of rounding to 8 bits, 1 / (255 sqrt 12): no 8-bit buffer is better.
-[[nodiscard]] double eight_bit_rmse();
-
 /// Error over time of one view: a line for each technique over its samples with the filter
-/// `denoise`, solid as published and dashed fitted, the Pareto front of all rows, the floor of 8
-/// bits, and a ring with the variant's name around each setting that the study shows. `rows` are of
-/// one view.
+/// `denoise`, solid as published and dashed fitted, the Pareto front of all rows, and a ring with
+/// the variant's name around each setting that the study shows; time over that of Blizzard24 where
+/// the rows have it. The axes span what is drawn. `rows` are of one view.
 [[nodiscard]] Plot error_over_time(const std::vector<MeasurementRow>& rows,
                                    const std::string& denoise);
 

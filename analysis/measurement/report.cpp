@@ -38,7 +38,7 @@ std::vector<std::vector<MeasurementRow>> by_view(const std::vector<MeasurementRo
 std::string setting_name(const MeasurementRow& row) {
     std::string name = row.variant;
     if (row.samples > 0 && row.denoise != "separable") name += ", " + row.denoise;
-    return name + (row.depth_format == "r32f" ? "" : ", " + row.depth_format);
+    return name + (row.options.empty() ? "" : ", " + row.options);
 }
 
 std::string cell(const Possible<AccessibilityError>& error, double AccessibilityError::*member) {
@@ -64,8 +64,8 @@ PageTable table_of(const std::vector<MeasurementRow>& rows) {
                       "front"};
     for (const MeasurementRow& row : rows) {
         table.rows.push_back(
-            {row.variant, row.denoise + (row.depth_format == "r32f" ? "" : ", " + row.depth_format),
-             row.values, fmt::format("{:.2f}", row.accessibility.median_ms),
+            {row.variant, row.denoise + (row.options.empty() ? "" : ", " + row.options), row.values,
+             fmt::format("{:.2f}", row.accessibility.median_ms),
              fmt::format("{:.2f}", row.filter.median_ms),
              fmt::format("{:.2f}", row.frame.median_ms), std::to_string(row.fetches_per_px),
              cell(row.error, &AccessibilityError::rmse), cell(row.error, &AccessibilityError::bias),
@@ -305,6 +305,8 @@ std::string report_text(const MeasurementReport& report) {
                                 cell(row.error, &AccessibilityError::p99));
         }
     }
+    if (!report.findings.empty()) text += '\n';
+    for (const std::string& finding : report.findings) text += finding + '\n';
     if (report.asks_order && !report.rows.empty()) {
         const auto orders = orders_of_techniques(report.rows, report.denoise);
         text += '\n';
@@ -342,6 +344,10 @@ std::vector<fs::path> write_report(const MeasurementReport& report, const fs::pa
     Page page(report.title);
     page.paragraph("Rendered on: " + report.device);
     if (!report.timer_check.empty()) page.paragraph(report.timer_check);
+    if (!report.findings.empty()) {
+        page.heading("What it found");
+        page.list(report.findings);
+    }
     put_speed_and_error(report, page, folder);
     put_details(report, page, folder);
     page.heading("How it was measured");

@@ -38,10 +38,11 @@ struct Fitted {
 struct MeasurementReport {
     std::string title;
     std::string device;
-    std::string timer_check;          ///< the self-check of timer against clock, in a sentence
-    std::vector<std::string> method;  ///< sizes, rays, runs: sentences
-    std::string denoise;              ///< filter of the lines in the plots
-    bool of_study = true;             ///< false: of scenes without a study, which shows nothing
+    std::string timer_check;            ///< the self-check of timer against clock, in a sentence
+    std::vector<std::string> method;    ///< sizes, rays, runs: sentences
+    std::vector<std::string> findings;  ///< what an experiment found, and of its paper: sentences
+    std::string denoise;                ///< filter of the lines in the plots
+    bool of_study = true;               ///< false: of scenes without a study, which shows nothing
     bool asks_order = false;  ///< whether the study assumes the thesis's order of techniques
     std::vector<MeasurementRow> rows;
     std::vector<Fitted> fitted;

@@ -166,6 +166,10 @@ std::vector<Column> further_columns() {
          [](const Row& r) -> Cell {
              return {parameters_of(r), ""};
          }},
+        {"options",
+         [](const Row& r) -> Cell {
+             return {r.options, ""};
+         }},
         {"timer",
          [](const Row& r) -> Cell {
              return {r.timer, ""};

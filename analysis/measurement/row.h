@@ -28,7 +28,8 @@ struct MeasurementRow {
     std::string denoise;    ///< filter of the accessibility buffer, or none
     double ao_scale = 1.0;  ///< size of the accessibility buffer over that of the image
     std::string depth_format;
-    std::string noise;  ///< how samples are turned from pixel to pixel
+    std::string noise;    ///< how samples are turned from pixel to pixel
+    std::string options;  ///< of the variant that are not at their standard; empty where all are
     int width = 0;
     int height = 0;
     std::string device;  ///< OpenGL's name of what rendered

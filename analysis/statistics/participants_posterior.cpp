@@ -81,7 +81,8 @@ class Likelihood {
     }
 
   private:
-    /// Votes of a participant beyond which rising products are taken whole and not by their factors.
+    /// Votes of a participant beyond which rising products are taken whole and not by their
+    /// factors.
     static constexpr std::int64_t kMostListed = 63;
 
     void list_factors(std::size_t most) {

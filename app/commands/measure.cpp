@@ -6,6 +6,7 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
+#include "app/measure/experiments/experiment.h"
 #include "app/measure/measure.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
@@ -20,11 +21,16 @@ namespace fs = std::filesystem;
 struct MeasureOptions {
     MeasureRequest request;
     std::string size;
+    bool lists_experiments = false;
 };
 
 base::ExitCode run(MeasureOptions options, const Globals& globals) {
     MeasureRequest& request = options.request;
     request.quiet = globals.quiet;
+    if (options.lists_experiments) {
+        fmt::print("{}", experiments_text());
+        return base::ExitCode::kDone;
+    }
     if (!options.size.empty()) {
         const ImageSize size = parse_size(options.size);
         request.width = size.width;
@@ -109,6 +115,9 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
     app.add_flag("--hard-cases", request.hard_cases,
                  "Instead: numerical stability on hard cases, and every technique against its own "
                  "definition (exit code 3 where one fails without a reason)");
+    app.add("--experiment", request.experiment,
+            "Instead: a paper's experiment, and what its outcome says of the paper's conclusion");
+    app.add_flag("--experiments", options->lists_experiments, "Lists the papers' experiments");
     app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
     return [options, &globals] { return run(*options, globals); };
 }

@@ -10,17 +10,24 @@
 
 namespace obscura::app {
 
+namespace {
+
+std::string multiples_of(const renderer::SampleRange& range) {
+    std::string factor = range.multiple_of > 1 ? std::to_string(range.multiple_of) : "";
+    if (!range.times.empty()) factor += (factor.empty() ? "" : " x ") + range.times;
+    return factor.empty() ? "" : ", multiples of " + factor;
+}
+
+}  // namespace
+
 std::string variants_help() {
     std::string text = "Techniques:\n";
     for (const renderer::Technique& technique : renderer::techniques()) {
         text += fmt::format("  {} ({})\n", technique.name, technique.citation);
         if (technique.samples.high > 0) {
-            text +=
-                fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
-                            technique.samples.high, technique.samples.standard,
-                            technique.samples.multiple_of > 1
-                                ? fmt::format(", multiples of {}", technique.samples.multiple_of)
-                                : "");
+            text += fmt::format("    samples: {} to {}, default {}{}\n", technique.samples.low,
+                                technique.samples.high, technique.samples.standard,
+                                multiples_of(technique.samples));
         }
         for (const renderer::Parameter& parameter : technique.parameters) {
             text +=

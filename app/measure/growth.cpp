@@ -32,7 +32,9 @@ std::vector<int> samples_of(const renderer::Technique& technique) {
     std::vector<int> list;
     const renderer::SampleRange& range = technique.samples;
     for (int samples = 8; samples <= std::min(128, range.high); samples *= 2) {
-        if (samples >= range.low && samples % range.multiple_of == 0) list.push_back(samples);
+        renderer::Variant variant = renderer::standard_variant(technique);
+        variant.samples = samples;
+        if (renderer::problems_of(variant).empty()) list.push_back(samples);
     }
     return list;
 }

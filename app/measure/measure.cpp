@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/measure/experiments/run_experiment.h"
 #include "app/measure/fit_settings.h"
 #include "app/measure/fitted_study.h"
 #include "app/measure/growth.h"
@@ -104,7 +105,7 @@ std::vector<Setting> all_settings(const MeasureRequest& request, const stimuli::
             const Setting before = settings[i];
             if (!fit.is_for(*view.scene, before.choice)) continue;
             const bool as_fitted = before.choice.denoise == fit.choice.denoise &&
-                                   before.choice.depth_format == fit.choice.depth_format;
+                                   renderer::same_options(before.choice, fit.choice);
             if (!as_fitted && before.shown.empty()) continue;
             Setting setting = before;
             setting.values = Values::kFitted;
@@ -201,7 +202,7 @@ void name_map(analysis::ErrorMap& map, const analysis::MeasurementRow& row,
               std::set<std::string>& taken) {
     std::string setting = row.variant;
     if (row.denoise != kPlottedFilter && row.samples > 0) setting += ' ' + row.denoise;
-    if (row.depth_format != "r32f") setting += ' ' + row.depth_format;
+    if (!row.options.empty()) setting += ' ' + row.options;
     const std::string name = file_stem(fmt::format("error-{}-{}-{}{}", row.scene_id, row.camera,
                                                    setting, row.fitted ? "-fitted" : ""));
     map.name = name;
@@ -223,7 +224,7 @@ std::vector<Setting> only_shown(const MeasuredView& view, const stimuli::Study& 
             for (const Valued& way : published_choices(view, study, setting.choice.technique)) {
                 wanted |= way.choice.samples == setting.choice.samples &&
                           way.choice.denoise == setting.choice.denoise &&
-                          way.choice.depth_format == setting.choice.depth_format;
+                          renderer::same_options(way.choice, setting.choice);
             }
         }
         if (wanted) kept.push_back(setting);
@@ -317,7 +318,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     }
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
-    if (request.scenes.empty()) note_unmeasured(study, measured);
+    if (request.scenes.empty() && request.experiment.empty()) note_unmeasured(study, measured);
     note_processor(request, measured);
     MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
@@ -328,6 +329,11 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
         measured.report.growth =
             measure_growth(stage, request, views.front(), timers,
                            [&progress](const std::string& what) { progress.step(what); });
+        return measured;
+    }
+    if (!request.experiment.empty()) {
+        measured.report.of_study = measured.report.asks_order = false;
+        run_experiment(stage, request, study, views, timers, measured.report);
         return measured;
     }
     sweep_all(stage, request, study, views, measured, timers);

@@ -9,9 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "renderer/base/check.h"
+#include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
-#include "renderer/reference/reference.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::app {
@@ -23,13 +22,6 @@ using renderer::Variant;
 
 const std::vector<int> kSamples{8, 16, 24, 32, 64};
 const std::vector<int> kQuickSamples{8, 24, 64};
-
-template <typename List>
-std::string names_of(const List& list) {
-    std::vector<std::string> names;
-    for (const auto& item : list) names.push_back(item.name);
-    return fmt::format("{}", fmt::join(names, ", "));
-}
 
 /// Every setting that the study shows on the scenes that `wanted` holds.
 template <typename Wanted>
@@ -146,18 +138,6 @@ std::optional<std::string> problem_of(const Technique& technique, int samples) {
     return std::nullopt;
 }
 
-void check_samples(const MeasureRequest& request) {
-    for (const int samples : request.samples) {
-        base::check_range("measure", "--samples", samples, 1, 65536);
-        for (const std::string& name : measured_techniques(request)) {
-            const Technique& technique = *renderer::find_technique(name);
-            if (technique.samples.high == 0) continue;
-            const auto problem = problem_of(technique, samples);
-            if (problem) throw base::bad_input("--samples: {}", *problem);
-        }
-    }
-}
-
 std::vector<std::string> filters_of(const MeasureRequest& request) {
     if (!request.filters.empty()) return request.filters;
     if (request.quick) return {kPlottedFilter};
@@ -177,7 +157,9 @@ bool same_parameters(const Variant& a, const Variant& b) {
     Variant like_a = b;
     like_a.samples = a.samples;
     like_a.denoise = a.denoise;
-    like_a.depth_format = a.depth_format;
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        like_a.*option.value = a.*option.value;
+    }
     return a == like_a;
 }
 
@@ -288,6 +270,26 @@ std::vector<Valued> published_choices(const MeasuredView& view, const stimuli::S
     return {made};
 }
 
+std::vector<MeasuredView> one_a_scene(const std::vector<MeasuredView>& views) {
+    std::vector<MeasuredView> kept;
+    for (const MeasuredView& view : views) {
+        const bool seen = std::any_of(kept.begin(), kept.end(), [&view](const auto& other) {
+            return other.scene == view.scene;
+        });
+        if (!seen) kept.push_back(view);
+    }
+    return kept;
+}
+
+renderer::Variant on_view(renderer::Variant variant, const MeasuredView& view,
+                          const stimuli::Study& study) {
+    const Valued way = published_choices(view, study, variant.technique).front();
+    for (const auto& [name, value] : way.choice.parameters) {
+        variant.parameters.emplace(name, value);
+    }
+    return variant;
+}
+
 double truth_radius_m(const MeasuredView& view, const Variant& choice) {
     const Parameter* radius =
         renderer::find_technique(choice.technique)->find_parameter(kTruthRadius);
@@ -355,49 +357,6 @@ std::vector<std::string> measured_techniques(const MeasureRequest& request) {
         if (why_unmeasured(technique).empty()) names.push_back(technique.name);
     }
     return names;
-}
-
-void check_request(const MeasureRequest& request) {
-    for (const std::string& name : request.techniques) {
-        const Technique* technique = renderer::find_technique(name);
-        if (technique == nullptr) {
-            throw base::bad_input("--techniques: \"{}\" is unknown, allowed are {}", name,
-                                  names_of(renderer::techniques()));
-        }
-        if (const std::string why = why_unmeasured(*technique); !why.empty()) {
-            throw base::bad_input("--techniques: {} {}", name, why);
-        }
-    }
-    for (const std::string& name : request.filters) {
-        if (renderer::find_denoise(name) == nullptr) {
-            throw base::bad_input("--filters: \"{}\" is unknown, allowed are {}", name,
-                                  names_of(renderer::denoise_filters()));
-        }
-    }
-    check_samples(request);
-    base::check_range("measure", "--size, width", *request.width, 1, 16384);
-    base::check_range("measure", "--size, height", *request.height, 1, 16384);
-    base::check_range("measure", "--rays", *request.rays, 1, renderer::kMostReferenceRays);
-    base::check_range("measure", "--runs", *request.runs, 1, 1000);
-    if (request.growth && request.hard_cases) {
-        throw base::bad_input(
-            "--growth and --hard-cases exclude each other: each stands in place of "
-            "the measurement");
-    }
-    if (request.fit && (request.growth || request.hard_cases)) {
-        throw base::bad_input(
-            "--fit: there is nothing to fit with {}, which stands in place of the "
-            "measurement",
-            request.growth ? "--growth" : "--hard-cases");
-    }
-    if (!request.write_study.empty() && !request.fit) {
-        throw base::bad_input("--write-study: there are fitted values only with --fit");
-    }
-    if (!request.write_study.empty() && !request.scenes.empty()) {
-        throw base::bad_input(
-            "--write-study: it writes a copy of the study, and --scene measures "
-            "scenes without one");
-    }
 }
 
 }  // namespace obscura::app

@@ -67,6 +67,13 @@ inline constexpr const char* kTruthRadius = "radius_m";
 /// R of the truth that a choice is held against before any fit: its own radius, or the view's.
 [[nodiscard]] double truth_radius_m(const MeasuredView& view, const renderer::Variant& choice);
 
+/// The first view of each scene.
+[[nodiscard]] std::vector<MeasuredView> one_a_scene(const std::vector<MeasuredView>& views);
+
+/// A setting with the study's values for the view's scene where it has none of its own.
+[[nodiscard]] renderer::Variant on_view(renderer::Variant variant, const MeasuredView& view,
+                                        const stimuli::Study& study);
+
 /// Every setting to measure on a view, before any fit: each technique with each number of samples
 /// and filter, and what the study shows; each once. `none` has one setting.
 [[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request,
@@ -78,10 +85,5 @@ inline constexpr const char* kTruthRadius = "radius_m";
 
 /// Why a technique has no error to measure; empty where it has.
 [[nodiscard]] std::string why_unmeasured(const renderer::Technique& technique);
-
-/// Throws bad input naming the option, the value and what is allowed for anything that is wrong
-/// with techniques, samples, filters, sizes, rays, runs or what excludes each other. The request
-/// has its defaults.
-void check_request(const MeasureRequest& request);
 
 }  // namespace obscura::app

@@ -24,11 +24,17 @@ struct MeasureRequest {
     bool fit = false;
     bool growth = false;                ///< how cost grows, in place of the sweep
     bool hard_cases = false;            ///< the hard cases, in place of the sweep
+    std::string experiment;             ///< a paper's, in place of the sweep
     std::filesystem::path write_study;  ///< with `fit`: a copy of the study with fitted values
     std::filesystem::path out;
     std::filesystem::path cache;  ///< of ray-traced truths
     bool quiet = false;
 };
+
+/// Throws bad input naming the option, the value and what is allowed for anything that is wrong
+/// with techniques, samples, filters, sizes, rays, runs or what excludes each other. The request
+/// has its defaults.
+void check_request(const MeasureRequest& request);
 
 /// What a measurement takes where nothing else is asked for; `quick` the second.
 struct MeasureSize {

@@ -32,7 +32,9 @@ analysis::MeasurementRow describe(const MeasuredView& view, const Setting& setti
     row.samples = choice.samples;
     row.denoise = choice.denoise;
     row.depth_format = choice.depth_format;
-    row.noise = choice.samples > 0 ? fmt::format("tile{0}x{0}", kTileSize) : "none";
+    row.ao_scale = 1.0 / renderer::ao_step(choice);
+    row.noise = choice.samples > 0 ? choice.noise : "none";
+    row.options = renderer::options_in_words(choice);
     row.width = width;
     row.height = height;
     row.device = renderer::gpu_renderer();
@@ -73,6 +75,11 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
         analysis::interior_mask(truth.width, truth.height, kInteriorMargin);
     for (std::size_t i = 0; i < interior.size(); ++i) interior[i] &= surfaces[i];
     row.interior = analysis::accessibility_error(measured, truth.accessibility, interior);
+    const renderer::Technique& technique = *renderer::find_technique(row.technique);
+    if (technique.output == renderer::Output::kColour) {
+        row.error = row.interior =
+            analysis::Possible<analysis::AccessibilityError>::none(why_unmeasured(technique));
+    }
     row.nonfinite = nonfinite_of(measured);
     if (frame.plan().has(renderer::Phase::kDenoise)) {
         row.nonfinite += nonfinite_of(frame.read_floats(Target::kAccessibility));
@@ -123,7 +130,7 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
     mask.reserve(truth.depth_m.size());
     for (const float depth_m : truth.depth_m) mask.push_back(depth_m < kBackgroundLimit_m);
     const renderer::FramePlan& plan = frame.plan();
-    const std::string seen = plan.seen_by_technique(Target::kDepth);
+    const std::string seen = plan.of_pixels(Target::kDepth);
     const renderer::PlannedTarget* planned = plan.find(seen);
     if (planned == nullptr || planned->width != plan.image_width) return mask;
     const std::vector<float> depth_m = frame.read_floats(seen);

@@ -63,8 +63,10 @@ void RunTimes::add(const std::vector<renderer::PassTime>& passes, bool use_queri
     double denoise = 0.0;
     for (const renderer::PassTime& time : passes) {
         const double spent_ms = use_queries ? time.query_milliseconds : time.milliseconds;
-        if (time.phase == renderer::Phase::kTechnique) accessibility += spent_ms;
-        if (time.phase == renderer::Phase::kDenoise) denoise += spent_ms;
+        if (!is_of_the_variant(time.phase)) continue;
+        const bool before =
+            time.phase == renderer::Phase::kSeen || time.phase == renderer::Phase::kTechnique;
+        (before ? accessibility : denoise) += spent_ms;
     }
     accessibility_ms_.push_back(accessibility);
     denoise_ms_.push_back(denoise);

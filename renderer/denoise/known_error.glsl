@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 // A filter that knows how far samples may be off (after Lee 1980, "Digital Image Enhancement and Noise
 // Filtering by Use of Local Statistics"). Of the neighbours on the pixel's own surface it takes mean and
-// variance. N yes-or-no samples of the mean m have a variance of m (1 - m) / N; what the neighbours vary
-// more than that is the image's own, and the pixel keeps as much of its own value. So the more samples
-// there are, the less is smoothed. A neighbour is on the surface as far as its depth follows the pixel's
-// own plane, on which the reciprocal of depth is linear in the image, and its normal the pixel's normal.
+// variance. One yes-or-no sample of the mean m has a variance of m (1 - m), and N that keep their distance
+// of N^-1.5 times that (Owen 1997, for jumps in two dimensions); what the neighbours vary more than that
+// is the image's own, and the pixel keeps as much of its own value. So the more samples there are, the
+// less is smoothed; from four on, a narrower surrounding is enough. Samples that repeat over a tile have
+// no error of chance: u_samples is 0, and all of it is smoothed. A neighbour is on the surface as far as
+// its depth follows the pixel's own plane, on which the reciprocal of depth is linear in the image, and
+// its normal the pixel's normal.
 // ACROSS is the first pass, which hands on mean and mean square along a row.
 #include "passes/normal_codec.glsl"
 #include "passes/shared_constants.h"
@@ -18,12 +21,14 @@ layout(location = 0) out vec4 o_packed;  // mean, mean square, reciprocal depth,
 const ivec2 kDirection = ivec2(1, 0);
 #else
 uniform sampler2D t_packed;
-uniform int u_samples;
 layout(location = 0) out float o_accessibility;
 const ivec2 kDirection = ivec2(0, 1);
 #endif
 
-const int kReach = 7;            // taps to each side: a block of 4x4 twice convolved with 2 of them
+uniform int u_samples;
+
+const int kWide = 7;    // taps to each side: a block of 4x4 twice convolved with 2 of them
+const int kNarrow = 3;  // a block convolved with itself
 const float kTolerance = 0.004;  // of the depth, for each pixel of distance
 
 // Mean, mean square, reciprocal depth, the pixel's own value.
@@ -48,9 +53,10 @@ void main() {
     float after = tap_at(min(here + kDirection, last)).z - w;
     float slope = abs(before) < abs(after) ? before : after;
     float per_tolerance = 1.0 / (kTolerance * w);
-    vec2 sum = own.xy * float(kReach + 1);
-    float weights = float(kReach + 1);
-    for (int i = -kReach; i <= kReach; ++i) {
+    int reach = u_samples < 4 ? kWide : kNarrow;
+    vec2 sum = own.xy * float(reach + 1);
+    float weights = float(reach + 1);
+    for (int i = -reach; i <= reach; ++i) {
         ivec2 at = here + kDirection * i;
         if (i == 0 || any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
         vec4 tap = tap_at(at);
@@ -59,7 +65,7 @@ void main() {
         float turn = max(dot(normal_at(at), n), 0.0);
         turn *= turn;
         float weight =
-            (float(kReach + 1) - distance_px) * max(0.0, 1.0 - off * off) * turn * turn;
+            (float(reach + 1) - distance_px) * max(0.0, 1.0 - off * off) * turn * turn;
         sum += weight * tap.xy;
         weights += weight;
     }
@@ -69,7 +75,8 @@ void main() {
     o_packed = vec4(seen ? mean : vec2(1.0), w, own.w);
 #else
     float variance = max(mean.y - mean.x * mean.x, 0.0);
-    float noise = mean.x * max(1.0 - mean.x, 0.0) / float(max(u_samples, 1));
+    float count = float(max(u_samples, 1));
+    float noise = mean.x * max(1.0 - mean.x, 0.0) / (count * sqrt(count));
     float kept = max(variance - noise, 0.0) / max(variance, 1.0e-9);
     o_accessibility = mix(mean.x, own.w, kept);
 #endif

@@ -10,7 +10,9 @@
 namespace obscura::renderer {
 namespace {
 
-constexpr int kReach = 7;
+/// Taps to each side.
+int reach_of(int samples) { return samples < 4 ? 7 : 3; }
+
 constexpr double kTolerance = 0.004;  // of the depth, for each pixel of distance
 
 /// What a pass reads and writes of a pixel.
@@ -28,7 +30,12 @@ class MomentsPass {
   public:
     MomentsPass(const SeenBuffers& buffers, const std::vector<Surface>& surfaces,
                 const std::vector<Moments>& from, int dx, int dy)
-        : buffers_(buffers), surfaces_(surfaces), from_(from), dx_(dx), dy_(dy) {}
+        : buffers_(buffers),
+          surfaces_(surfaces),
+          from_(from),
+          reach_(reach_of(buffers.samples)),
+          dx_(dx),
+          dy_(dy) {}
 
     [[nodiscard]] Moments at(int x, int y) const {
         const Rounded& w = surface(x, y, 0).reciprocal;
@@ -57,11 +64,11 @@ class MomentsPass {
         const Rounded per_tolerance = Rounded(1.0) / (nearest_float(kTolerance) * own.reciprocal);
         WeightedMean mean;
         WeightedMean square;
-        for (int i = -kReach; i <= kReach; ++i) {
+        for (int i = -reach_; i <= reach_; ++i) {
             const int at_x = x + i * dx_;
             const int at_y = y + i * dy_;
             if (at_x < 0 || at_x >= buffers_.width || at_y < 0 || at_y >= buffers_.height) continue;
-            const double most = kReach + 1.0 - std::abs(i);
+            const double most = reach_ + 1.0 - std::abs(i);
             Rounded weight(most);
             if (i != 0) {
                 const Surface& tap = surface(x, y, i);
@@ -76,12 +83,13 @@ class MomentsPass {
             mean.add(weight, tap.mean, most);
             square.add(weight, tap.square, most);
         }
-        return {mean.mean(kReach + 1.0), square.mean(kReach + 1.0)};
+        return {mean.mean(reach_ + 1.0), square.mean(reach_ + 1.0)};
     }
 
     const SeenBuffers& buffers_;
     const std::vector<Surface>& surfaces_;
     const std::vector<Moments>& from_;
+    int reach_;
     int dx_;
     int dy_;
 };
@@ -91,8 +99,8 @@ Admitted mixed(const Moments& around, const Rounded& own, int samples) {
     const Rounded zero(0.0);
     const Rounded one(1.0);
     const Rounded variance = max(around.square - around.mean * around.mean, zero);
-    const Rounded noise =
-        around.mean * max(one - around.mean, zero) / Rounded(std::max(samples, 1));
+    const Rounded count(std::max(samples, 1));
+    const Rounded noise = around.mean * max(one - around.mean, zero) / (count * sqrt(count));
     Rounded kept = max(variance - noise, zero) / max(variance, nearest_float(1.0e-9));
     kept = between(std::clamp(kept.value, 0.0, 1.0), std::clamp(kept.low(), 0.0, 1.0),
                    std::clamp(kept.high(), 0.0, 1.0));

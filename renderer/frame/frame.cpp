@@ -42,7 +42,7 @@ gl::Texture make_texture(const PlannedTarget& planned) {
 
 bool depends_on_the_view_only(Phase phase) {
     return phase == Phase::kGeometry || phase == Phase::kShadow || phase == Phase::kOccluders ||
-           phase == Phase::kLight;
+           phase == Phase::kSecondLayer || phase == Phase::kLight;
 }
 
 /// Whether a pass of one plan gives what the same pass of another one gave.
@@ -50,6 +50,12 @@ bool gives_the_same(const PlannedPass& pass, const FramePlan& plan, const FrameP
     if (!depends_on_the_view_only(pass.phase) || !known.has(pass.phase)) return false;
     if (!(plan.needs == known.needs) || !(plan.options == known.options)) return false;
     if (pass.phase == Phase::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
+        return false;
+    }
+    // What is peeled depends on the depths that it is peeled off.
+    if (pass.phase == Phase::kSecondLayer &&
+        (plan.separation_m != known.separation_m || plan.blended_occlude() ||
+         known.blended_occlude() || plan.has(Phase::kSeen) || known.has(Phase::kSeen))) {
         return false;
     }
     const auto same = [&](const std::string& buffer) {

@@ -12,8 +12,10 @@ struct Renderer::Job {
     const Lighting& lighting;
     const FramePlan& plan;
     CameraMatrices camera;
+    CameraMatrices seen;  ///< of what the technique sees, and of its second layer
     Frame& frame;
-    const Camera& source;  ///< what `camera` was made of
+    Camera source;       ///< what `camera` was made of
+    Camera seen_source;  ///< the same of `seen`
     const TracedAccessibility& traced;
     const RaysOfScene& rays;
     glm::ivec2 size{0};  ///< of the buffers that are attached
@@ -28,20 +30,21 @@ struct Renderer::Job {
         return "SUPERSAMPLING " + std::to_string(plan.options.supersampling);
     }
     /// Uniforms of passes/geometry.vert.glsl.
-    void set_vertices(gl::Program& program) const {
-        program.set("u_view", glm::mat3(camera.view_from_world));
-        program.set("u_eye_m", camera.eye_m);
-        program.set("u_projection", camera.clip_from_view);
+    void set_vertices(gl::Program& program, const CameraMatrices& of) const {
+        program.set("u_view", glm::mat3(of.view_from_world));
+        program.set("u_eye_m", of.eye_m);
+        program.set("u_projection", of.clip_from_view);
     }
+    void set_vertices(gl::Program& program) const { set_vertices(program, camera); }
     /// Uniforms of passes/view.glsl, for the buffers that are attached.
-    void set_view(gl::Program& program) const {
+    void set_view(gl::Program& program, const CameraMatrices& of) const {
         program.set("u_size", glm::vec2(size));
-        program.set("u_ray_scale", camera.ray_scale);
-        program.set("u_ray_offset", camera.ray_offset);
-        program.set("u_ray_to_px", 0.5F * glm::vec2(size) / camera.ray_scale);
-        program.set("u_axis_px",
-                    0.5F * glm::vec2(size) * (1.0F - camera.ray_offset / camera.ray_scale));
+        program.set("u_ray_scale", of.ray_scale);
+        program.set("u_ray_offset", of.ray_offset);
+        program.set("u_ray_to_px", 0.5F * glm::vec2(size) / of.ray_scale);
+        program.set("u_axis_px", 0.5F * glm::vec2(size) * (1.0F - of.ray_offset / of.ray_scale));
     }
+    void set_view(gl::Program& program) const { set_view(program, camera); }
 };
 
 }  // namespace obscura::renderer

@@ -5,6 +5,7 @@
 
 #include "renderer/frame/job.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/recipe/normal_format.h"
 
 namespace obscura::renderer {
 namespace {
@@ -57,12 +58,14 @@ void Renderer::draw_blended(Job& job, gl::Program& program, float least_opacity)
 void Renderer::run_occluders(Job& job) {
     const bool normal = job.has(Target::kOccluderNormal);
     Defines defines = surface_defines(job.plan.needs, normal);
+    const std::string codec = normal_format_of(job.plan.variant.normal_format).define;
+    if (normal && job.plan.own_normals()) defines.push_back(codec);
     attach(job, {Target::kOccluderDepth, Target::kOccluderNormal}, Target::kOccluderVisibility);
-    if (job.plan.options.supersampling > 1) {
+    if (job.plan.draws_occluders()) {
         constexpr GLfloat kNothing[2][4] = {{kBackgroundDepth_m, 0, 0, 0}, {0, 0, 0, 0}};
         glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing[0]);
         if (normal) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing[1]);
-        draw_opaque(job, "passes/occluders.frag.glsl", defines);
+        draw_opaque(job, job.camera, "passes/occluders.frag.glsl", defines);
     } else {
         const auto copy = [&job](const Buffer& from, const Buffer& to) {
             glCopyImageSubData(job.frame.texture(from), GL_TEXTURE_2D, 0, 0, 0, 0,

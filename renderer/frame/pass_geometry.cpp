@@ -69,11 +69,12 @@ void Renderer::run_geometry(Job& job) {
     if (job.has(Target::kDepth)) clear(framebuffer_.name(), 2, glm::vec4(kBackgroundDepth_m));
     if (job.has(Target::kEmission)) clear(framebuffer_.name(), 3, glm::vec4(0, 0, 0, 1));
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
-    draw_opaque(job, "passes/geometry.frag.glsl", defines);
+    draw_opaque(job, job.camera, "passes/geometry.frag.glsl", defines);
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-void Renderer::draw_opaque(Job& job, const std::string& fragment, Defines defines) {
+void Renderer::draw_opaque(Job& job, const CameraMatrices& camera, const std::string& fragment,
+                           Defines defines, const std::function<void(gl::Program&)>& set) {
     constexpr GLfloat kFar = 1.0F;
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -87,7 +88,8 @@ void Renderer::draw_opaque(Job& job, const std::string& fragment, Defines define
         if (cut_out) defines.emplace_back("CUT_OUT");
         gl::Program& shader = program("passes/geometry.vert.glsl", fragment, defines);
         shader.use();
-        job.set_vertices(shader);
+        job.set_vertices(shader, camera);
+        if (set) set(shader);
         for (const GpuScene::Draw& draw : job.scene.draws()) {
             const Material& material = job.scene.materials()[draw.material];
             if ((material.coverage == Coverage::kCutOut) != cut_out) continue;

@@ -5,11 +5,20 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/format.h"
 #include "renderer/frame/job.h"
+#include "renderer/recipe/normal_format.h"
 
 namespace obscura::renderer {
 namespace {
 
 constexpr GLfloat kOpen[] = {1.0F, 1.0F, 1.0F, 1.0F};
+
+/// Codes as buffers store them become unit vectors.
+void decode_normals(const NormalFormat& format, std::vector<float>& values) {
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+        const glm::vec3 n = decoded_normal(format, {values[i], values[i + 1], values[i + 2]});
+        std::copy_n(&n.x, 3, &values[i]);
+    }
+}
 
 std::string sampler_of(const std::string& name) {
     std::string sampler = "t_" + name;
@@ -60,12 +69,17 @@ void Renderer::attach_step(Job& job, const PlannedPass& pass, int level, int lay
 
 void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,
                         int layer) {
-    job.set_view(program);
+    const bool of_image = pass.phase == Phase::kUpsample || job.plan.makes_colour;
+    job.set_view(program, of_image ? job.camera : job.seen);
     program.set("u_far_m", job.camera.far_m);
     program.set("u_level", level);
     program.set("u_layer", layer);
     program.set("u_frame", pass.frame);
-    program.set("u_samples", job.plan.variant.samples);
+    // Where samples repeat over a tile, a pixel's own error is not that of so many.
+    const Technique* technique = find_technique(job.plan.variant.technique);
+    const bool tiled = technique != nullptr && !technique->ray_traced;
+    const bool of_filter = pass.phase == Phase::kDenoise;
+    program.set("u_samples", of_filter && tiled ? 0 : job.plan.variant.samples);
     for (const auto& [name, value] : job.plan.parameters) {
         program.set(("p_" + name).c_str(), static_cast<float>(value));
     }
@@ -88,8 +102,9 @@ gl::Program& Renderer::step_program(const Step& step) {
 
 void Renderer::run_on_processor(Job& job, const PlannedPass& pass) {
     const PlannedTarget& target = *job.plan.find(pass.writes.front());
-    ProcessorWork work{target.width,        target.height,           {}, job.source, job.rays(),
-                       job.plan.parameters, job.plan.variant.samples};
+    ProcessorWork work{
+        target.width,        target.height,           {}, job.seen_source, job.rays(),
+        job.plan.parameters, job.plan.variant.samples};
     const auto texels =
         static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -99,6 +114,7 @@ void Renderer::run_on_processor(Job& job, const PlannedPass& pass) {
         std::vector<float>& values = work.reads.emplace_back(normal ? 3 * texels : texels);
         glGetTextureImage(job.frame.texture(read.name), 0, normal ? GL_RGB : GL_RED, GL_FLOAT,
                           static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+        if (normal) decode_normals(normal_format_of(job.plan.variant.normal_format), values);
     }
     const std::vector<float> values = pass.step->processor(work);
     glTextureSubImage2D(job.frame.texture(target.name), 0, 0, 0, target.width, target.height,

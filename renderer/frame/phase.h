@@ -13,8 +13,11 @@ enum class Phase {
     kGeometry,
     kShadow,
     kOccluders,
+    kSeen,
+    kSecondLayer,
     kTechnique,
     kDenoise,
+    kUpsample,
     kLight,
     kComposite,
     kSky,
@@ -28,7 +31,8 @@ enum class Phase {
 
 /// Whether the time of that phase is what a variant costs.
 [[nodiscard]] inline bool is_of_the_variant(Phase phase) {
-    return phase == Phase::kTechnique || phase == Phase::kDenoise;
+    return phase == Phase::kSeen || phase == Phase::kTechnique || phase == Phase::kDenoise ||
+           phase == Phase::kUpsample;
 }
 
 }  // namespace obscura::renderer

@@ -27,6 +27,7 @@ std::size_t FramePlan::bytes() const {
 bool FramePlan::makes_accessibility() const { return has(Phase::kTechnique) && !makes_colour; }
 
 std::string FramePlan::final_accessibility() const {
+    if (has(Phase::kUpsample)) return Target::kUpsampled.name;
     return (has(Phase::kDenoise) ? Target::kDenoised : Target::kAccessibility).name;
 }
 
@@ -35,6 +36,15 @@ bool FramePlan::blended_occlude() const {
 }
 
 std::string FramePlan::seen_by_technique(std::string_view buffer) const {
+    if (has(Phase::kSeen)) {
+        if (buffer == Target::kDepth.name) return Target::kSeenDepth.name;
+        if (buffer == Target::kNormal.name) return Target::kSeenNormal.name;
+        if (buffer == Target::kVisibility.name) return Target::kSeenVisibility.name;
+    }
+    return of_pixels(buffer);
+}
+
+std::string FramePlan::of_pixels(std::string_view buffer) const {
     if (has(Phase::kOccluders)) {
         if (buffer == Target::kDepth.name) return Target::kOccluderDepth.name;
         if (buffer == Target::kNormal.name) return Target::kOccluderNormal.name;

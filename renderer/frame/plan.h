@@ -99,6 +99,9 @@ struct FramePlan {
     std::map<std::string, double> parameters;  ///< the technique's: `p_<name>` in its steps
     bool technique_reads_depth = false;
     bool makes_colour = false;  ///< the technique does, in place of accessibility
+    int ao_step = 1;  ///< the technique computes every so many columns and rows of the image
+    double separation_m = 0.0;  ///< of the second layer from the first
+    int second_step = 1;        ///< what the technique sees over what the second layer has
     std::vector<PlannedTarget> targets;
     std::vector<PlannedPass> passes;
     std::vector<LeftOut> left_out;
@@ -108,10 +111,21 @@ struct FramePlan {
     [[nodiscard]] std::size_t bytes() const;
     /// Whether there is an accessibility that the composite uses.
     [[nodiscard]] bool makes_accessibility() const;
-    /// The buffer that holds it: `accessibility` or `denoised`.
+    /// The buffer that holds it: `accessibility`, `denoised` or `upsampled`.
     [[nodiscard]] std::string final_accessibility() const;
     /// Whether the technique sees nearly opaque blended surfaces.
     [[nodiscard]] bool blended_occlude() const;
+    /// Whether normals are stored in a way that the image's own G-buffer has not.
+    [[nodiscard]] bool own_normals() const {
+        return variant.normal_format == "rg8" || variant.normal_format == "oct16";
+    }
+    /// Whether what the technique sees is drawn once more, and not copied from the G-buffer.
+    [[nodiscard]] bool draws_occluders() const {
+        return options.supersampling > 1 || own_normals();
+    }
+    /// The buffer of the image's pixels for depth, normal or visibility: what the technique sees
+    /// where it has one value a pixel.
+    [[nodiscard]] std::string of_pixels(std::string_view buffer) const;
     /// The buffer that the technique reads for depth, normal or visibility.
     [[nodiscard]] std::string seen_by_technique(std::string_view buffer) const;
     /// Whether the image is kept in linear light before it becomes sRGB code values.

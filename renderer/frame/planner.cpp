@@ -8,6 +8,7 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/frame/format.h"
 #include "renderer/frame/plan.h"
+#include "renderer/recipe/normal_format.h"
 
 namespace obscura::renderer {
 namespace {
@@ -17,7 +18,7 @@ class Planner {
   public:
     Planner(const SceneNeeds& needs, const Technique& technique, const Variant& variant,
             const FrameOptions& options, int width, int height)
-        : depth_format_(variant.depth_format),
+        : normal_(normal_format_of(variant.normal_format)),
           technique_(technique),
           recipe_(technique.recipe ? technique.recipe(variant) : Recipe{}),
           filter_(find_denoise(variant.denoise)->recipe),
@@ -34,6 +35,11 @@ class Planner {
         }
         plan_.technique_reads_depth = accessibility_ && recipe_.reads(Target::kDepth);
         plan_.makes_colour = technique.output == Output::kColour;
+        plan_.ao_step = ao_step(variant);
+        if (recipe_.reads(Target::kSecondDepth)) {
+            plan_.separation_m = recipe_.separation_m;
+            plan_.second_step = 1 << recipe_.second_halvings;
+        }
     }
 
     void plan_geometry();
@@ -57,7 +63,12 @@ class Planner {
 
     /// Plans a buffer once and gives its name.
     const std::string& add(const Buffer& buffer);
+    /// The house's buffers in the formats and sizes that the variant gives them.
+    [[nodiscard]] Buffer in_its_format(Buffer buffer) const;
     void plan_occluders();
+    void plan_second_layer();
+    void plan_seen();
+    void plan_upsample();
     /// The steps of a recipe, as often as it has frames.
     void plan_steps(const Recipe& recipe, Phase phase);
     void plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame);
@@ -71,13 +82,16 @@ class Planner {
     [[nodiscard]] bool once_a_pixel() const {
         return accessibility_ && plan_.options.supersampling > 1;
     }
-    [[nodiscard]] bool occluders() const { return once_a_pixel() || plan_.blended_occlude(); }
+    [[nodiscard]] bool occluders() const {
+        return once_a_pixel() || plan_.blended_occlude() || draws_normals();
+    }
+    [[nodiscard]] bool draws_normals() const { return reads_normal() && plan_.own_normals(); }
     [[nodiscard]] bool reads_normal() const {
         return recipe_.reads(Target::kNormal) || (denoised() && filter_.reads(Target::kNormal));
     }
     [[nodiscard]] bool denoised() const { return accessibility_ && !filter_.steps.empty(); }
 
-    const std::string depth_format_;
+    const NormalFormat& normal_;
     const Technique& technique_;
     const Recipe recipe_;
     const Recipe& filter_;
@@ -86,8 +100,36 @@ class Planner {
     FramePlan plan_;
 };
 
-const std::string& Planner::add(const Buffer& buffer) {
-    if (const PlannedTarget* known = plan_.find(buffer)) return known->name;
+Buffer Planner::in_its_format(Buffer buffer) const {
+    const auto is_one_of = [&buffer](std::initializer_list<std::string_view> names) {
+        return std::find(names.begin(), names.end(), buffer.name) != names.end();
+    };
+    const Variant& variant = plan_.variant;
+    const bool rebuilt = variant.depth_format == "d24";
+    if (is_one_of(
+            {Target::kDepth, Target::kOccluderDepth, Target::kSeenDepth, Target::kSecondDepth}) &&
+        !rebuilt) {
+        buffer.format = variant.depth_format;
+    }
+    if (is_one_of({Target::kSeenNormal}) || (buffer.is(Target::kOccluderNormal) && draws_normals()))
+        buffer.format = normal_.buffer;
+    if (is_one_of(
+            {Target::kAccessibility, Target::kHistory, Target::kDenoised, Target::kUpsampled})) {
+        buffer.format = variant.ao_format;
+    }
+    if (is_one_of({Target::kSeenDepth, Target::kSeenNormal, Target::kSeenVisibility,
+                   Target::kAccessibility, Target::kHistory, Target::kDenoised})) {
+        buffer.scale = 1.0F / static_cast<float>(plan_.ao_step);
+    }
+    if (is_one_of({Target::kSecondDepth, Target::kSecondVisibility})) {
+        buffer.scale = 1.0F / static_cast<float>(plan_.ao_step * plan_.second_step);
+    }
+    return buffer;
+}
+
+const std::string& Planner::add(const Buffer& asked) {
+    if (const PlannedTarget* known = plan_.find(asked)) return known->name;
+    const Buffer buffer = in_its_format(asked);
     PlannedTarget planned{buffer};
     const bool samples = buffer.extent == Extent::kSamples;
     const auto scaled = [&buffer](int size) {
@@ -95,9 +137,6 @@ const std::string& Planner::add(const Buffer& buffer) {
     };
     planned.width = scaled(samples ? plan_.width : plan_.image_width);
     planned.height = scaled(samples ? plan_.height : plan_.image_height);
-    if (buffer.is(Target::kDepth) || buffer.is(Target::kOccluderDepth)) {
-        planned.format = depth_format_;
-    }
     if (buffer.is(Target::kShadow)) {
         planned.width = planned.height = needs().shadow_size;
         planned.layers = needs().lights;
@@ -125,7 +164,9 @@ void Planner::plan_geometry() {
     const bool depth = all || once_a_pixel() || recipe_.reads(Target::kDepth) ||
                        (denoised() && filter_.reads(Target::kDepth)) || needs().direct_light();
     const bool read_normal = reads_normal();
-    const bool normal = all || (read_normal && !once_a_pixel()) || lit();
+    const bool copied = read_normal && !once_a_pixel() && !draws_normals() &&
+                        plan_.variant.normal_format != "from-depth";
+    const bool normal = all || copied || lit();
     std::vector<Buffer> writes{Target::kVisibility, Target::kAlbedo};
     if (normal) writes.push_back(Target::kNormal);
     if (depth) writes.push_back(Target::kDepth);
@@ -165,19 +206,64 @@ void Planner::plan_occluders() {
                                    : "blended surfaces are asked not to occlude");
         return;
     }
-    const bool normal = reads_normal();
+    const bool normal = reads_normal() && plan_.variant.normal_format != "from-depth";
     std::vector<Read> reads;
     std::vector<Buffer> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
     if (normal) writes.push_back(Target::kOccluderNormal);
-    if (!once_a_pixel()) {  // copied from the image's own
+    if (!once_a_pixel() && !draws_normals()) {  // copied from the image's own
         reads = {Target::kVisibility, Target::kDepth};
         if (normal) reads.emplace_back(Target::kNormal);
     }
     pass(Phase::kOccluders, reads, writes);
 }
 
+void Planner::plan_second_layer() {
+    if (!recipe_.reads(Target::kSecondDepth)) return;
+    pass(Phase::kSecondLayer, {plan_.seen_by_technique(Target::kDepth)},
+         {Target::kSecondVisibility, Target::kSecondDepth});
+}
+
+void Planner::plan_seen() {
+    const Variant& variant = plan_.variant;
+    const bool from_depth = variant.normal_format == "from-depth" && reads_normal();
+    if (!accessibility_ || recipe_.steps.empty() ||
+        (plan_.ao_step == 1 && variant.depth_format != "d24" && !from_depth)) {
+        return;
+    }
+    const bool normal = reads_normal();
+    std::vector<Read> reads{{plan_.of_pixels(Target::kVisibility), Target::kVisibility.name}};
+    std::vector<Buffer> writes{Target::kSeenVisibility, Target::kSeenDepth};
+    if (variant.depth_format != "d24") {
+        reads.emplace_back(plan_.of_pixels(Target::kDepth), Target::kDepth.name);
+    }
+    if (normal && !from_depth) {
+        reads.emplace_back(plan_.of_pixels(Target::kNormal), Target::kNormal.name);
+    }
+    if (normal) writes.push_back(Target::kSeenNormal);
+    pass(Phase::kSeen, reads, writes);
+}
+
+void Planner::plan_upsample() {
+    if (plan_.ao_step == 1) return;
+    const Step step{"upsample",
+                    "passes/upsample.frag.glsl",
+                    {},
+                    Target::kUpsampled.name,
+                    {"STEP " + std::to_string(plan_.ao_step)},
+                    13,
+                    Cover::kAll};
+    PlannedPass planned{Phase::kUpsample, step.name, {}, {}, step};
+    planned.reads = {{plan_.final_accessibility(), Target::kAccessibility.name},
+                     {Target::kSeenDepth.name, Target::kSeenDepth.name},
+                     {plan_.of_pixels(Target::kDepth), Target::kDepth.name}};
+    planned.writes.push_back(add(Target::kUpsampled));
+    plan_.passes.push_back(std::move(planned));
+}
+
 void Planner::plan_accessibility() {
     plan_occluders();
+    plan_seen();
+    plan_second_layer();
     if (!accessibility_) {
         leave_out("accessibility", "the technique computes none");
         leave_out("denoise", "there is no accessibility to denoise");
@@ -194,6 +280,7 @@ void Planner::plan_accessibility() {
     } else {
         leave_out("denoise", "the variant asks for none");
     }
+    plan_upsample();
 }
 
 void Planner::plan_steps(const Recipe& recipe, Phase phase) {
@@ -212,12 +299,17 @@ void Planner::plan_steps(const Recipe& recipe, Phase phase) {
 
 void Planner::plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame) {
     const Buffer target = written_by(recipe, step);
+    const Buffer* own_buffer = recipe.find_buffer(step.writes);
+    const bool smaller = own_buffer != nullptr && own_buffer->scale != 1.0F;
     if (step.cover == Cover::kSurfaces &&
-        (target.scale != 1.0F || target.levels > 1 || target.layers > 1 || plan_.makes_colour)) {
+        (smaller || target.levels > 1 || target.layers > 1 || plan_.makes_colour)) {
         throw base::failure("step \"{}\" covers surfaces only, which \"{}\" does not allow",
                             step.name, target.name);
     }
     PlannedPass planned{phase, step.name, {}, {}, step, {}, frame};
+    if (reads_normal() && normal_.define[0] != '\0' && step.reads_buffer(Target::kNormal)) {
+        planned.step->defines.emplace_back(normal_.define);
+    }
     for (const Read& read : step.reads) {
         if (const NumberTable* table = recipe.find_table(read.name)) {
             planned.tables.push_back(*table);
@@ -246,6 +338,7 @@ Buffer Planner::written_by(const Recipe& recipe, const Step& step) const {
     if (const Buffer* own = recipe.find_buffer(step.writes)) {
         Buffer buffer = *own;
         buffer.extent = plan_.makes_colour ? Extent::kSamples : Extent::kPixels;
+        buffer.scale /= static_cast<float>(plan_.ao_step);
         return buffer;
     }
     const bool technique = &recipe == &recipe_;

@@ -42,9 +42,19 @@ Renderer::Renderer() : framebuffer_(gl::Framebuffer::make()), empty_(gl::VertexA
 Renderer::~Renderer() = default;
 
 Renderer::Job Renderer::job_of(const View& view, const FramePlan& plan, Frame& frame) {
-    return {
-        view.scene, view.lighting, plan,        matrices_of(view.camera, plan.width, plan.height),
-        frame,      view.camera,   view.traced, view.rays};
+    const Camera seen =
+        every_so_many(view.camera, plan.image_width, plan.image_height, plan.ao_step);
+    const auto fewer = [&plan](int size) { return (size + plan.ao_step - 1) / plan.ao_step; };
+    return {view.scene,
+            view.lighting,
+            plan,
+            matrices_of(view.camera, plan.width, plan.height),
+            matrices_of(seen, fewer(plan.image_width), fewer(plan.image_height)),
+            frame,
+            view.camera,
+            seen,
+            view.traced,
+            view.rays};
 }
 
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
@@ -121,9 +131,9 @@ void Renderer::attach(Job& job, const std::vector<std::string_view>& targets,
     glViewport(0, 0, job.size.x, job.size.y);
 }
 
-void Renderer::full_screen(gl::Program& program, GLenum test) {
+void Renderer::full_screen(gl::Program& program, GLenum test, GLboolean writes) {
     glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
+    glDepthMask(writes);
     glDepthFunc(test);
     for (const std::string& uniform : program.newly_unset()) {
         mismatches_.insert(program.name() + " reads " + uniform + ", which nobody sets");
@@ -136,11 +146,18 @@ void Renderer::full_screen(gl::Program& program, GLenum test) {
 void Renderer::run_pass(Job& job, const PlannedPass& pass) {
     using Run = void (Renderer::*)(Job&);
     static const std::map<Phase, Run> kRuns = {
-        {Phase::kGeometry, &Renderer::run_geometry},   {Phase::kShadow, &Renderer::run_shadow},
-        {Phase::kOccluders, &Renderer::run_occluders}, {Phase::kTechnique, &Renderer::run_traced},
-        {Phase::kLight, &Renderer::run_light},         {Phase::kSky, &Renderer::run_sky},
-        {Phase::kComposite, &Renderer::run_composite}, {Phase::kBlend, &Renderer::run_blend},
-        {Phase::kToneMap, &Renderer::run_tone_map},    {Phase::kResolve, &Renderer::run_resolve},
+        {Phase::kGeometry, &Renderer::run_geometry},
+        {Phase::kShadow, &Renderer::run_shadow},
+        {Phase::kSecondLayer, &Renderer::run_second_layer},
+        {Phase::kSeen, &Renderer::run_seen},
+        {Phase::kOccluders, &Renderer::run_occluders},
+        {Phase::kTechnique, &Renderer::run_traced},
+        {Phase::kLight, &Renderer::run_light},
+        {Phase::kSky, &Renderer::run_sky},
+        {Phase::kComposite, &Renderer::run_composite},
+        {Phase::kBlend, &Renderer::run_blend},
+        {Phase::kToneMap, &Renderer::run_tone_map},
+        {Phase::kResolve, &Renderer::run_resolve},
     };
     if (pass.step) {
         run_step(job, pass);

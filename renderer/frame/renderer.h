@@ -70,6 +70,8 @@ class Renderer {
     void run_geometry(Job& job);
     void run_shadow(Job& job);
     void run_occluders(Job& job);
+    void run_second_layer(Job& job);
+    void run_seen(Job& job);
     void run_traced(Job& job);
     gl::Program& step_program(const Step& step);
     void run_step(Job& job, const PlannedPass& pass);
@@ -103,13 +105,16 @@ class Renderer {
     /// `visibility` the depth that is tested; all have one size.
     void attach(Job& job, const std::vector<std::string_view>& targets,
                 std::optional<std::string_view> visibility = Target::kVisibility);
-    /// Draws all that is not blended, nearest in front, with passes/geometry.vert.glsl.
-    void draw_opaque(Job& job, const std::string& fragment, Defines defines);
+    /// Draws all that is not blended, nearest in front, with passes/geometry.vert.glsl and a
+    /// camera; `set` sets what else the fragment shader reads.
+    void draw_opaque(Job& job, const CameraMatrices& camera, const std::string& fragment,
+                     Defines defines, const std::function<void(gl::Program&)>& set = {});
     /// The shader's accessibility_of_sample().
     void bind_accessibility(Job& job, gl::Program& program);
     /// Draws over the whole image, at the far plane, where the visibility buffer passes the test:
     /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
-    void full_screen(gl::Program& program, GLenum test);
+    /// `writes`: the shader writes that depth.
+    void full_screen(gl::Program& program, GLenum test, GLboolean writes = GL_FALSE);
     void bind(gl::Program& program, const char* sampler, GLuint texture, int unit);
 
     gl::Framebuffer framebuffer_;

@@ -10,6 +10,8 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/recipe/normal_format.h"
+#include "renderer/scene/camera.h"
 #include "renderer/technique/reference.h"
 
 namespace obscura::renderer {
@@ -32,23 +34,53 @@ Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
 
 }  // namespace
 
+Admitted as_stored(Admitted pixel, const std::string& format) {
+    const auto step_at = [&format](double value) {
+        if (format == "r8") return 1.0 / 255.0;
+        if (format != "r16f") return 0.0;
+        return std::ldexp(1.0, std::max(std::ilogb(std::max(value, 1.0e-9)), -14) - 10);
+    };
+    pixel.low -= step_at(pixel.low);
+    pixel.high += step_at(pixel.high);
+    return pixel;
+}
+
+namespace {
+
+/// What a filter is told: samples that repeat over a tile have no error that it could know.
+int samples_of_rays(const Variant& variant) {
+    return find_technique(variant.technique)->ray_traced ? variant.samples : 0;
+}
+
+}  // namespace
+
 SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
     const FramePlan& plan = frame.plan();
     const std::string normal = plan.seen_by_technique(Target::kNormal);
-    SeenBuffers buffers{.width = plan.image_width,
-                        .height = plan.image_height,
-                        .camera = camera,
-                        .depth_m = frame.read_floats(plan.seen_by_technique(Target::kDepth)),
-                        .empty = frame.read_empty(plan.seen_by_technique(Target::kVisibility)),
-                        .normal = {},
-                        .samples = plan.variant.samples};
+    const PlannedTarget* made = plan.find(Target::kAccessibility);
+    SeenBuffers buffers{
+        .width = made != nullptr ? made->width : plan.image_width,
+        .height = made != nullptr ? made->height : plan.image_height,
+        .camera = every_so_many(camera, plan.image_width, plan.image_height, plan.ao_step),
+        .depth_m = frame.read_floats(plan.seen_by_technique(Target::kDepth)),
+        .empty = frame.read_empty(plan.seen_by_technique(Target::kVisibility)),
+        .normal = {},
+        .normal_format = plan.variant.normal_format,
+        .second_m = {},
+        .second_step = plan.second_step,
+        .samples = samples_of_rays(plan.variant)};
     for (float& depth_m : buffers.depth_m) {
         // Half floats may hold infinity there; a shader sees no difference.
         if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
     }
+    if (plan.find(Target::kSecondDepth) != nullptr) {
+        buffers.second_m = frame.read_floats(Target::kSecondDepth);
+    }
     if (plan.find(normal) == nullptr) return buffers;
+    const int most = normal_format_of(buffers.normal_format).most;
     for (const float code : frame.read_components(normal, 3)) {
-        buffers.normal.push_back(static_cast<std::uint8_t>(std::lround(255.0F * code)));
+        buffers.normal.push_back(
+            static_cast<std::uint16_t>(std::lround(static_cast<float>(most) * code)));
     }
     return buffers;
 }
@@ -114,11 +146,13 @@ Shot Bench::shoot(const std::string& what, const Scene& scene, const Camera& cam
     }
     const Frame frame = render(scene, camera, choice, width, height);
     const SeenBuffers buffers = seen_buffers(frame, camera);
-    Shot shot{.width = width,
-              .height = height,
+    const bool filtered = frame.plan().has(Phase::kDenoise);
+    Shot shot{.width = buffers.width,
+              .height = buffers.height,
               .depth_m = buffers.depth_m,
               .accessibility = frame.read_floats(Target::kAccessibility),
-              .denoised = frame.read_floats(frame.plan().final_accessibility())};
+              .denoised = frame.read_floats(filtered ? Target::kDenoised : Target::kAccessibility),
+              .shown = frame.read_accessibility()};
     hold_against_definition(what, buffers, choice, shot);
     return shot;
 }
@@ -131,7 +165,8 @@ Shot Bench::trace(const Scene& scene, const Camera& camera, const Variant& choic
             .height = height,
             .depth_m = image.depth_m,
             .accessibility = image.accessibility,
-            .denoised = image.accessibility};
+            .denoised = image.accessibility,
+            .shown = image.accessibility};
 }
 
 const Bench::AdmittedPixels& Bench::admitted_of(const SeenBuffers& buffers, Variant choice) {
@@ -140,6 +175,9 @@ const Bench::AdmittedPixels& Bench::admitted_of(const SeenBuffers& buffers, Vari
         last_ = {buffers, choice, {}};
         last_.admitted = admitted_by(find_technique(choice.technique)->model(last_.buffers, choice),
                                      last_.buffers);
+        for (std::optional<Admitted>& pixel : last_.admitted) {
+            if (pixel) *pixel = as_stored(*pixel, choice.ao_format);
+        }
     }
     return last_.admitted;
 }
@@ -161,7 +199,8 @@ void Bench::hold_against_definition(const std::string& what, const SeenBuffers& 
     const Denoise& denoise = *find_denoise(choice.denoise);
     if (!denoise.model) return;
     // On what the technique's shader wrote, so that each is held against its own definition.
-    const std::vector<Admitted> filtered = denoise.model(buffers, shot.accessibility);
+    std::vector<Admitted> filtered = denoise.model(buffers, shot.accessibility);
+    for (Admitted& pixel : filtered) pixel = as_stored(pixel, choice.ao_format);
     const std::vector<std::optional<Admitted>> all(filtered.begin(), filtered.end());
     const Agreement of_filter = agreement_of(all, shot.denoised, shot.width, what);
     agreements_[denoise.name].add(of_filter);
@@ -232,7 +271,7 @@ void Bench::expect_growth(const std::string& quantity, double measured, double m
 
 void Bench::expect_sound(const std::string& quantity, const Shot& shot, const std::string& note) {
     std::size_t unsound = 0;
-    for (const Values* values : {&shot.accessibility, &shot.denoised}) {
+    for (const Values* values : {&shot.accessibility, &shot.denoised, &shot.shown}) {
         unsound +=
             static_cast<std::size_t>(std::count_if(values->begin(), values->end(), [](float value) {
                 return !(value >= 0.0F && value <= 1.0F);

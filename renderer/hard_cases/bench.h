@@ -17,6 +17,10 @@ namespace obscura::renderer {
 /// What the technique of that frame read.
 [[nodiscard]] SeenBuffers seen_buffers(const Frame& frame, const Camera& camera);
 
+/// What a format of Variant::ao_format may make of a value: it stores the nearest that it has, or
+/// one beside that.
+[[nodiscard]] Admitted as_stored(Admitted pixel, const std::string& format);
+
 /// One value a pixel, upper row first.
 using Values = std::vector<float>;
 
@@ -27,6 +31,7 @@ struct Shot {
     Values depth_m;
     Values accessibility;  ///< as the technique wrote it
     Values denoised;       ///< after the filter; the same where there is none
+    Values shown = {};     ///< what the image uses, at its size
     /// What the definitions give on the same buffers: the technique's of accessibility, the
     /// filter's of denoised. Empty where there is no model, or the image is too large for it.
     Values defined_accessibility = {};

@@ -17,11 +17,14 @@ void run_odd_sizes(Bench& bench, const Technique& technique) {
         if (width > 1000 && !large) continue;
         Variant choice = Bench::settings(technique, 0.3);
         if (!technique.ray_traced) choice.denoise = "separable";
-        const std::string size = fmt::format("{}x{}", width, height);
-        const Shot shot =
-            bench.shoot(size, shapes::clutter(), shapes::camera(5.0F), choice, width, height);
-        bench.expect_sound(size, shot,
-                           "at full size: accessibility has no other resolution scale yet");
+        for (const std::string& scale : find_option("ao_scale")->allowed) {
+            choice.ao_scale = scale;
+            if (!problems_of(choice).empty() || (width > 1000 && scale == "0.25")) continue;
+            const std::string what = fmt::format("{}x{}, ao_scale {}", width, height, scale);
+            const Shot shot =
+                bench.shoot(what, shapes::clutter(), shapes::camera(5.0F), choice, width, height);
+            bench.expect_sound(what, shot);
+        }
     }
 }
 

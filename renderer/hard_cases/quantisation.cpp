@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/hard_cases/bench.h"
+#include "renderer/hard_cases/shapes.h"
 
 namespace obscura::renderer {
 namespace {
@@ -40,8 +41,32 @@ void run_quantisation(Bench& bench) {
                  1e-4);
 }
 
+/// Of the renderer's own formats: what each makes of a technique's values.
+void run_formats(Bench& bench, const Technique& technique) {
+    constexpr int kSize = 64;
+    const auto shot_in = [&](const std::string& format) {
+        Variant choice = Bench::settings(technique, 0.4);
+        choice.ao_format = format;
+        return bench.shoot("clutter in " + format, shapes::clutter(), shapes::camera(5.0F), choice,
+                           kSize, kSize);
+    };
+    Variant eight = Bench::settings(technique, 0.4);
+    eight.ao_format = "r8";
+    if (!problems_of(eight).empty()) return;
+    const Values exact = shot_in("r32f").accessibility;
+    for (const auto& [format, most] : {std::pair("r16f", 0x1.0p-11), {"r8", 0.5 / 255.0}}) {
+        const Values stored = shot_in(format).accessibility;
+        double largest = 0.0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            largest = std::max(largest, std::abs(static_cast<double>(stored[i] - exact[i])));
+        }
+        bench.expect(std::string("largest difference of A in ") + format + " from A in r32f", 0.0,
+                     largest, 1.01 * most);
+    }
+}
+
 }  // namespace
 
-HardCase quantisation_case() { return {12, "quantisation", nullptr, run_quantisation}; }
+HardCase quantisation_case() { return {12, "quantisation", run_formats, run_quantisation}; }
 
 }  // namespace obscura::renderer

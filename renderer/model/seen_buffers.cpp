@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/recipe/normal_format.h"
 
 namespace obscura::renderer {
 namespace {
@@ -126,17 +127,41 @@ SeenDepths SeenView::depths_at_px(const ImagePoint& place_px) const {
     return depths;
 }
 
+namespace {
+
+/// A component of 8 bits; the sum is a whole number, and only its rounding is not.
+Rounded decoded_8(int code) {
+    const Rounded stored = Rounded(code) / Rounded(255.0);  // as an 8-bit texture is read
+    const Rounded rounded = (stored * Rounded(255.0) - Rounded(128.0)) / Rounded(127.0);
+    return {(code - 128.0) / 127.0, rounded.error};
+}
+
+/// Unfolded from an octahedron.
+Rounded3 decoded_16(int code_x, int code_y) {
+    const auto component = [](int code) {
+        return Rounded(code) / Rounded(65535.0) * Rounded(2.0) - Rounded(1.0);
+    };
+    const Rounded x = component(code_x);
+    const Rounded y = component(code_y);
+    const Rounded z = Rounded(1.0) - abs(x) - abs(y);
+    const Rounded fold = max(-z, Rounded(0.0));
+    // No code is zero, so that rounding never moves one across it.
+    return {x.value >= 0.0 ? x - fold : x + fold, y.value >= 0.0 ? y - fold : y + fold, z};
+}
+
+}  // namespace
+
 Rounded3 SeenView::normal(int x, int y) const {
-    const std::uint8_t* code = &buffers_.normal[3 * buffers_.index(x, y)];
-    const auto component = [](int value) {
-        const Rounded stored = Rounded(value) / Rounded(255.0);  // as an 8-bit texture is read
-        return (stored * Rounded(255.0) - Rounded(128.0)) / Rounded(127.0);
-    };
-    // The sum is a whole number; only its rounding is not.
-    const auto exact = [&component](int value) {
-        return Rounded((value - 128.0) / 127.0, component(value).error);
-    };
-    const Rounded3 n{exact(code[0]), exact(code[1]), exact(code[2])};
+    const std::uint16_t* code = &buffers_.normal[3 * buffers_.index(x, y)];
+    const NormalFormat& format = normal_format_of(buffers_.normal_format);
+    if (format.most == 65535) {
+        const Rounded3 n = decoded_16(code[0], code[1]);
+        return n * inverse_sqrt(dot(n, n));
+    }
+    Rounded3 n{decoded_8(code[0]), decoded_8(code[1]), decoded_8(code[2])};
+    if (format.channels == 2) {
+        n.z = sqrt(max(Rounded(1.0) - (n.x * n.x + n.y * n.y), Rounded(0.0)));
+    }
     const Rounded squared = dot(n, n);
     if (!(squared.value > 1.0e-12)) return {Rounded(0.0), Rounded(0.0), Rounded(1.0)};
     return n * inverse_sqrt(squared);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -18,17 +19,30 @@ namespace obscura::renderer {
 struct SeenBuffers {
     int width = 0;
     int height = 0;
-    Camera camera;
+    Camera camera;  ///< of an image of that size
     std::vector<float> depth_m;
-    std::vector<std::uint8_t> empty;   ///< 1 where nothing is seen
-    std::vector<std::uint8_t> normal;  ///< three code values a pixel; empty: none is read
-    int samples = 0;                   ///< of the technique whose accessibility a filter reads
+    std::vector<std::uint8_t> empty;  ///< 1 where nothing is seen
+    /// Three code values a pixel, of a format with fewer the rest is 0; empty: none is read.
+    std::vector<std::uint16_t> normal;
+    std::string normal_format = "rgb8";  ///< of Variant::normal_format
+    /// The second layer's depth, of every so many columns and rows; empty: there is none.
+    std::vector<float> second_m;
+    int second_step = 1;
+    int samples = 0;  ///< of the technique whose accessibility a filter reads
 
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(x);
     }
     [[nodiscard]] float depth_at(int x, int y) const { return depth_m[index(x, y)]; }
+    /// Of the second layer where a texel of the first is.
+    [[nodiscard]] float second_at(int x, int y) const {
+        const int across = (width + second_step - 1) / second_step;
+        const int up = (height + second_step - 1) / second_step;
+        return second_m[static_cast<std::size_t>(up - 1 - y / second_step) *
+                            static_cast<std::size_t>(across) +
+                        static_cast<std::size_t>(x / second_step)];
+    }
     [[nodiscard]] bool is_empty(int x, int y) const { return empty[index(x, y)] != 0; }
     /// Whether every model finds the same in both.
     [[nodiscard]] bool operator==(const SeenBuffers& other) const {
@@ -37,7 +51,8 @@ struct SeenBuffers {
         };
         return width == other.width && height == other.height && samples == other.samples &&
                depth_m == other.depth_m && empty == other.empty && normal == other.normal &&
-               view(camera) == view(other.camera);
+               normal_format == other.normal_format && second_m == other.second_m &&
+               second_step == other.second_step && view(camera) == view(other.camera);
     }
 };
 

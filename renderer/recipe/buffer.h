@@ -51,12 +51,23 @@ struct Target {
     static inline const Buffer kOccluderDepth{"occluder depth", "r32f"};
     static inline const Buffer kOccluderNormal{"occluder normal", "rgba8"};
     static inline const Buffer kOccluderVisibility{"occluder visibility", "depth24"};
+    /// Of those, what a technique at a lower scale or with formats of its own sees: every so many
+    /// columns and rows, from the first.
+    static inline const Buffer kSeenDepth{"seen depth", "r32f"};
+    static inline const Buffer kSeenNormal{"seen normal", "rgba8"};
+    static inline const Buffer kSeenVisibility{"seen visibility", "depth24"};
+    /// The nearest surface that lies a least distance behind the first, in m; kBackgroundDepth_m
+    /// where there is none.
+    static inline const Buffer kSecondDepth{"second depth", "r32f"};
+    static inline const Buffer kSecondVisibility{"second visibility", "depth24"};
     /// What the technique wrote, 1 where empty.
     static inline const Buffer kAccessibility{"accessibility", "r32f"};
     /// The accessibility of the frame before, for a recipe of several frames; 1 before the first.
     static inline const Buffer kHistory{"history", "r32f"};
     /// What the composite reads after a filter.
     static inline const Buffer kDenoised{"denoised", "r32f"};
+    /// The same at the image's size, where the technique had a lower one.
+    static inline const Buffer kUpsampled{"upsampled", "r32f"};
     /// Irradiance / pi from the environment.
     static inline const Buffer kAmbient{"ambient light", "rgba16f", Extent::kSamples};
     /// Irradiance / pi from the lights, specular light.

@@ -18,6 +18,8 @@ auto find(const List& list, std::string_view name) -> decltype(list.data()) {
 
 }  // namespace
 
+bool Step::reads_buffer(std::string_view buffer) const { return find(reads, buffer) != nullptr; }
+
 bool Recipe::on_processor() const {
     return std::any_of(steps.begin(), steps.end(),
                        [](const Step& step) { return step.processor != nullptr; });
@@ -25,7 +27,7 @@ bool Recipe::on_processor() const {
 
 bool Recipe::reads(std::string_view name) const {
     return std::any_of(steps.begin(), steps.end(),
-                       [name](const Step& step) { return find(step.reads, name) != nullptr; });
+                       [name](const Step& step) { return step.reads_buffer(name); });
 }
 
 const Buffer* Recipe::find_buffer(std::string_view name) const { return find(buffers, name); }

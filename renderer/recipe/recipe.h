@@ -40,7 +40,8 @@ class ReferenceScene;
 struct ProcessorWork {
     int width = 0;  ///< of what it reads and writes: the image's
     int height = 0;
-    /// What the step reads, in its order: so many components a texel, lower row first.
+    /// What the step reads, in its order, lower row first: one number a texel, of normals the three
+    /// components of unit vectors.
     std::vector<std::vector<float>> reads;
     const Camera& camera;
     const ReferenceScene& rays;  ///< the scene's triangles
@@ -78,6 +79,8 @@ struct Step {
     /// uploaded. It writes a buffer of the image's size in one component.
     ProcessorStep processor = nullptr;
 
+    /// Whether it reads a buffer or table of that name.
+    [[nodiscard]] bool reads_buffer(std::string_view name) const;
     /// The level behind the last that is drawn of a buffer with so many.
     [[nodiscard]] int end_level(int of_levels) const {
         return levels > 0 && first_level + levels < of_levels ? first_level + levels : of_levels;
@@ -90,6 +93,10 @@ struct Recipe {
     std::vector<NumberTable> tables;
     std::vector<Step> steps;
     int frames = 1;  ///< how often the steps are run, with `u_frame` counting from 0
+    /// Where a step reads `second depth`: how far behind the first layer the second lies at least,
+    /// and how often the sides of its buffer are halved.
+    double separation_m = 0.0;
+    int second_halvings = 0;
 
     /// Whether some step is computed on the processor.
     [[nodiscard]] bool on_processor() const;

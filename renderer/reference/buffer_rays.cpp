@@ -22,12 +22,9 @@ constexpr int kSide = BlockSampler::kSide;
 /// How far off its surface a ray starts, as a share of the depth: what interpolation in floats over
 /// large triangles may leave of it.
 constexpr float kOffset = 3.0e-5F;
-
-glm::vec3 decoded(const float* code) {
-    const glm::vec3 n = (glm::vec3(code[0], code[1], code[2]) * 255.0F - 128.0F) * (1.0F / 127.0F);
-    const float squared = glm::dot(n, n);
-    return squared > 1.0e-12F ? n / std::sqrt(squared) : glm::vec3(0.0F, 0.0F, 1.0F);
-}
+/// How far before and behind the stored depth a pixel's face is looked for, as a share of it.
+constexpr float kProbe = 1.0e-3F;
+static_assert(kPacket == kSide * kSide);
 
 /// Duff et al. 2017, equation 6.
 glm::mat3 frame_of(const glm::vec3& n) {
@@ -85,58 +82,75 @@ class Tracer {
         explicit Block(std::size_t rays) : x(rays), y(rays), z(rays) {}
         std::vector<float> x, y, z;  ///< directions about +Z
         std::array<Start, kSide * kSide> starts{};
+        std::array<glm::vec3, kSide * kSide> towards{};
         std::array<std::size_t, kSide * kSide> pixels{};
         std::array<int, kSide * kSide> parts{};
         std::array<int, kSide * kSide> met{};  ///< rays that met something
         int count = 0;
     };
 
-    /// A pixel's view-space point; of its neighbours too.
-    [[nodiscard]] glm::vec3 point(int x, int y) const {
-        const float z = surfaces_.depth_m[index(x, y)];
-        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(surfaces_.width),
-                           (static_cast<float>(y) + 0.5F) / static_cast<float>(surfaces_.height));
-        const glm::vec2 ray = (uv * 2.0F - 1.0F) * matrices_.ray_scale + matrices_.ray_offset;
-        return glm::vec3(ray, -1.0F) * z;
-    }
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_.width) +
                static_cast<std::size_t>(x);
     }
 
-    /// The change of the point from one pixel to the next, on the side where depth changes less.
-    [[nodiscard]] glm::vec3 change(int x, int y, int dx, int dy) const {
-        const bool before = x - dx >= 0 && y - dy >= 0;
-        const bool after = x + dx < surfaces_.width && y + dy < surfaces_.height;
-        const glm::vec3 here = point(x, y);
-        const glm::vec3 back = before ? here - point(x - dx, y - dy) : glm::vec3(0.0F, 0.0F, 1e30F);
-        const glm::vec3 on = after ? point(x + dx, y + dy) - here : glm::vec3(0.0F, 0.0F, 1e30F);
-        return std::abs(back.z) < std::abs(on.z) ? back : on;
-    }
-
-    /// The face's own normal where depths of neighbours tell it: the hemisphere of the truth.
-    [[nodiscard]] glm::vec3 face_normal(int x, int y, const glm::vec3& stored) const {
-        const glm::vec3 across = glm::cross(change(x, y, 1, 0), change(x, y, 0, 1));
-        const float squared = glm::dot(across, across);
-        if (!(squared > 0.0F) || !std::isfinite(squared)) return stored;
-        const glm::vec3 n = across / std::sqrt(squared);
-        // Where the two are far apart, the neighbours lie on other surfaces.
-        return glm::dot(n, stored) > 0.7F ? n : stored;
+    /// The ray from the eye through a pixel's middle, as long as a metre of depth.
+    [[nodiscard]] glm::vec3 towards(int x, int y) const {
+        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(surfaces_.width),
+                           (static_cast<float>(y) + 0.5F) / static_cast<float>(surfaces_.height));
+        const glm::vec2 ray = (uv * 2.0F - 1.0F) * matrices_.ray_scale + matrices_.ray_offset;
+        return world_from_view_ * glm::vec3(ray, -1.0F);
     }
 
     void add_pixel(Block& block, int x, int y) {
         const std::size_t pixel = index(x, y);
         if (!(surfaces_.depth_m[pixel] < kBackgroundLimit_m)) return;
         const auto slot = static_cast<std::size_t>(block.count++);
-        const glm::vec3 stored = decoded(&surfaces_.normal[3 * pixel]);
-        const glm::vec3 n = face_normal(x, y, stored);
-        const glm::vec3 p = point(x, y);
-        const float offset_m = kOffset * (std::abs(p.z) + glm::length(eye_m_));
-        block.starts[slot] = {eye_m_ + world_from_view_ * (p + offset_m * n),
-                              frame_of(world_from_view_ * n)};
+        block.towards[slot] = towards(x, y);
         block.pixels[slot] = pixel;
         block.parts[slot] = BlockSampler::part_of(x, y);
         block.met[slot] = 0;
+    }
+
+    /// The face that each pixel shows, which a G-buffer does not hold and the truth's hemisphere
+    /// stands on: one packet of rays over the last thousandth before the stored depth and after it.
+    /// Where it finds none (a silhouette), the stored depth and normal stand.
+    void find_faces(Block& block) const {
+        alignas(64) int valid[kPacket];
+        RTCRayHit16 packet{};
+        for (int i = 0; i < kPacket; ++i) {
+            const auto slot = static_cast<std::size_t>(std::min(i, block.count - 1));
+            valid[i] = i < block.count ? -1 : 0;
+            const float depth_m = surfaces_.depth_m[block.pixels[slot]];
+            packet.ray.org_x[i] = eye_m_.x;
+            packet.ray.org_y[i] = eye_m_.y;
+            packet.ray.org_z[i] = eye_m_.z;
+            packet.ray.dir_x[i] = block.towards[slot].x;
+            packet.ray.dir_y[i] = block.towards[slot].y;
+            packet.ray.dir_z[i] = block.towards[slot].z;
+            packet.ray.tnear[i] = depth_m * (1.0F - kProbe);
+            packet.ray.tfar[i] = depth_m * (1.0F + kProbe);
+            packet.ray.mask[i] = ~0U;
+            packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        RayScene::Context context(true);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        rtcIntersect16(valid, scene_.embree(), &context, &packet);
+        for (int i = 0; i < block.count; ++i) {
+            const auto slot = static_cast<std::size_t>(i);
+            const glm::vec3& ray = block.towards[slot];
+            const float* const stored = &surfaces_.normal[3 * block.pixels[slot]];
+            float depth_m = surfaces_.depth_m[block.pixels[slot]];
+            glm::vec3 n = world_from_view_ * glm::vec3(stored[0], stored[1], stored[2]);
+            const glm::vec3 face(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
+            const float squared = glm::dot(face, face);
+            if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID && squared > 0.0F) {
+                depth_m = packet.ray.tfar[i];
+                n = face * ((glm::dot(face, ray) > 0.0F ? -1.0F : 1.0F) / std::sqrt(squared));
+            }
+            const float offset_m = kOffset * (depth_m + glm::length(eye_m_));
+            block.starts[slot] = {eye_m_ + depth_m * ray + offset_m * n, frame_of(n)};
+        }
     }
 
     void trace(Block& block, int column, int row) {
@@ -147,6 +161,7 @@ class Tracer {
             }
         }
         if (block.count == 0) return;
+        find_faces(block);
         sampler_.directions(
             static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column),
             block.x.data(), block.y.data(), block.z.data());

@@ -16,7 +16,7 @@ struct SeenSurfaces {
     int width = 0;
     int height = 0;
     std::span<const float> depth_m;
-    std::span<const float> normal;  ///< three code values in [0, 1] a pixel
+    std::span<const float> normal;  ///< three components of a unit vector a pixel
 };
 
 /// Ray-traced accessibility within R from the surfaces that a G-buffer holds: no ray is spent on

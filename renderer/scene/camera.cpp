@@ -41,4 +41,21 @@ CameraMatrices matrices_of(const Camera& camera, int width, int height) {
     return matrices;
 }
 
+Camera every_so_many(const Camera& camera, int width, int height, int step) {
+    if (step == 1) return camera;
+    const auto wider = [step](int size) {
+        return static_cast<double>((size + step - 1) / step * step) / size;
+    };
+    // The first column's middle is the same in both, and columns are `step` times as far apart.
+    const auto shift = [step, &wider](float own, int size) {
+        const double off = wider(size) - 1.0 - static_cast<double>(step - 1) / size;
+        return static_cast<float>((static_cast<double>(own) + off) / wider(size));
+    };
+    const double up = std::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
+    Camera fewer = camera;
+    fewer.vertical_fov_rad = static_cast<float>(2.0 * std::atan(up * wider(height)));
+    fewer.lens_shift = {shift(camera.lens_shift.x, width), shift(camera.lens_shift.y, height)};
+    return fewer;
+}
+
 }  // namespace obscura::renderer

@@ -18,6 +18,11 @@ struct CameraMatrices {
     float far_m = 100.0F;
 };
 
+/// The camera of an image that has every `step`-th column and row, from the first, of one of
+/// width x height pixels: its pixels have the same rays. Its own size is that, divided and rounded
+/// up.
+[[nodiscard]] Camera every_so_many(const Camera& camera, int width, int height, int step);
+
 /// Throws bad input naming the camera's field, its value and what is allowed.
 [[nodiscard]] CameraMatrices matrices_of(const Camera& camera, int width, int height);
 

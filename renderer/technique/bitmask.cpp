@@ -8,21 +8,15 @@ namespace obscura::renderer {
 namespace {
 
 Recipe recipe_of(const Variant& variant) {
-    return fan_recipe(variant, "technique/bitmask.glsl", fan_of_slices(variant.samples));
+    return fan_recipe(variant, "technique/bitmask.glsl", fan_of_slices(variant));
 }
 
 }  // namespace
 
-Technique bitmask_technique() {
-    Technique technique;
-    technique.name = "bitmask";
-    technique.variant = "Bitmask";
-    technique.citation =
-        "Therrien et al. 2023, Screen Space Indirect Lighting with Visibility Bitmask; cosine "
-        "weights after Jimenez et al. 2016";
-    technique.samples = {2 * kSliceSteps, 128, 2 * 2 * kSliceSteps, 2 * kSliceSteps};
-    technique.parameters = {
+std::vector<Parameter> bitmask_parameters() {
+    return {
         slice_radius(),
+        slice_steps(),
         slice_reach(1.0),
         {"cut_off", "Distance beyond which a sample occludes nothing", "of radius_m", 0.0, 20.0,
          1.0},
@@ -31,6 +25,17 @@ Technique bitmask_technique() {
         slice_spread(1.0),
         slice_power(),
     };
+}
+
+Technique bitmask_technique() {
+    Technique technique;
+    technique.name = "bitmask";
+    technique.variant = "Bitmask";
+    technique.citation =
+        "Therrien et al. 2023, Screen Space Indirect Lighting with Visibility Bitmask; cosine "
+        "weights after Jimenez et al. 2016";
+    technique.samples = {2, 256, 16, 2, "steps"};
+    technique.parameters = bitmask_parameters();
     technique.recipe = recipe_of;
     technique.fitted = {{"reach", 1.2},
                         {"cut_off", 2.15},

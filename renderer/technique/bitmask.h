@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/model/model.h"
+#include <vector>
+
+#include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
 
-/// The definition of `bitmask` in double precision.
+/// What `bitmask` and `layered` have in common.
+[[nodiscard]] std::vector<Parameter> bitmask_parameters();
+
+/// The definition of both in double precision.
 [[nodiscard]] PixelModel bitmask_model(const SeenBuffers& buffers, const Variant& variant);
 
 }  // namespace obscura::renderer

@@ -58,18 +58,21 @@ class BitmaskModel {
         const Rounded radius_m = value("radius_m");
         reach_m_ = radius_m * value("reach");
         farthest_m_ = radius_m * value("cut_off");
-        thickness_m_ = radius_m * value("thickness");
+        thickness_m_ = {radius_m * value("thickness")};
+        if (technique.find_parameter("second_thickness") != nullptr) {
+            thickness_m_.push_back(radius_m * value("second_thickness"));
+        }
         spread_ = value("step_spread");
         power_ = value("power");
-        const Fan fan = fan_of_slices(variant.samples);
-        tile_ = turn_tile(fan.sector_rad);
+        const Fan fan = fan_of_slices(variant);
+        tile_ = turn_tile(fan.sector_rad, variant.noise);
+        steps_ = fan.steps;
         directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const SliceSurface p = march_.surface(x, y);
-        const Turn& turn =
-            tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)];
+        const Turn& turn = tile_.at(x, y);
         Bounded visible;
         Bounded open;
         for (const Turn& by : directions_) {
@@ -99,7 +102,7 @@ class BitmaskModel {
                       mean_of(visible.high, rounding)},
                      power_);
         return {found.value, found.low, found.high,
-                2 * kSliceSteps * static_cast<int>(directions_.size())};
+                2 * steps_ * static_cast<int>(directions_.size() * thickness_m_.size())};
     }
 
   private:
@@ -111,24 +114,29 @@ class BitmaskModel {
                                    const Side& side) const {
         const Rounded radius_px = reach_m_ / (p.z * p.pixel);
         Hidden hidden;
-        for (int i = 0; i < kSliceSteps; ++i) {
+        for (int i = 0; i < steps_; ++i) {
             const Rounded distance_px =
-                Rounded(side.sign) * slice_distance_px(i, turn, radius_px, spread_);
-            const SliceSamples seen = march_.samples(p, s, distance_px);
-            Hidden found = hidden_by(p, s, turn, side, distance_px, seen.front());
-            for (const SliceSample& other : seen) {
-                const Hidden may_be = hidden_by(p, s, turn, side, distance_px, other);
-                found.certain &= may_be.certain;
-                found.possible |= may_be.possible;
+                Rounded(side.sign) * slice_distance_px(i, steps_, turn, radius_px, spread_);
+            for (std::size_t layer = 0; layer < thickness_m_.size(); ++layer) {
+                const SliceSamples seen = march_.samples(p, s, distance_px, layer > 0);
+                const auto hides = [&](const SliceSample& sample) {
+                    return hidden_by(p, s, turn, side, distance_px, sample, thickness_m_[layer]);
+                };
+                Hidden found = hides(seen.front());
+                for (const SliceSample& other : seen) {
+                    const Hidden may_be = hides(other);
+                    found.certain &= may_be.certain;
+                    found.possible |= may_be.possible;
+                }
+                hidden |= found;
             }
-            hidden |= found;
         }
         return hidden;
     }
 
     [[nodiscard]] Hidden hidden_by(const SliceSurface& p, const SlicePlane& s, const Turn& turn,
                                    const Side& side, const Rounded& distance_px,
-                                   const SliceSample& sample) const {
+                                   const SliceSample& sample, const Rounded& thickness_m) const {
         Hidden hidden;
         if (!sample.seen) return hidden;
         if (!sample.known) {
@@ -139,7 +147,7 @@ class BitmaskModel {
         if (!may_be_at_least(limit, sample.squared)) return hidden;
         const Rounded front = place_of(p, turn, side, sample);
         const Rounded back =
-            place_of(p, turn, side, SlicesModel::moved(p, s, distance_px, sample, thickness_m_));
+            place_of(p, turn, side, SlicesModel::moved(p, s, distance_px, sample, thickness_m));
         const Rounded from = min(front, back);
         const Rounded to = max(front, back);
         hidden.possible = sectors_between(from.low(), to.high());
@@ -163,11 +171,12 @@ class BitmaskModel {
     SlicesModel march_;
     Rounded reach_m_;
     Rounded farthest_m_;
-    Rounded thickness_m_;
+    std::vector<Rounded> thickness_m_;  ///< of each layer
     Rounded spread_;
     Rounded power_;
     bool clamped_;
-    std::vector<Turn> tile_;
+    Tile<Turn> tile_;
+    int steps_ = 4;
     std::vector<Turn> directions_;
 };
 

@@ -38,7 +38,7 @@ std::vector<glm::vec3> offsets(int samples) {
 
 Recipe recipe_of(const Variant& variant) {
     Recipe recipe;
-    recipe.tables = {rotation_table()};
+    recipe.tables = {rotation_table(variant.noise)};
     // Each sample's depth; the pixel's own depth and rotation.
     recipe.steps = {accessibility_step(variant, "technique/crytek.glsl",
                                        {Target::kDepth, "rotations"}, variant.samples + 2)};

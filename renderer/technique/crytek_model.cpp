@@ -58,9 +58,10 @@ class CrytekModel {
           samples_(variant.samples),
           clamped_(!variant.unclamped) {
         const Parameter& scale = *find_technique(variant.technique)->find_parameter("offset_scale");
-        const std::vector<glm::vec3> tile = rotation_tile();
-        for (std::size_t i = 0; i < offsets_.size(); ++i) {
-            offsets_[i] = offsets_about(tile[i], samples_, variant.value_of(scale));
+        const Tile<glm::vec3> tile = rotation_tile(variant.noise);
+        offsets_.size = tile.size;
+        for (const glm::vec3& r : tile) {
+            offsets_.values.push_back(offsets_about(r, samples_, variant.value_of(scale)));
         }
     }
 
@@ -70,8 +71,7 @@ class CrytekModel {
         Rounded sum;
         double low = 0.0;
         double high = 0.0;
-        for (const Rounded3& offset :
-             offsets_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)]) {
+        for (const Rounded3& offset : offsets_.at(x, y)) {
             const SeenDepths seen =
                 view_.depths_at(ImagePoint{place.x + offset.x, place.y + offset.y});
             add(d, d + offset.z * d, seen, sum, low, high);
@@ -125,7 +125,7 @@ class CrytekModel {
     Rounded far_m_;
     int samples_;
     bool clamped_;
-    std::array<Offsets, kTileSize * kTileSize> offsets_;
+    Tile<Offsets> offsets_;
 };
 
 }  // namespace

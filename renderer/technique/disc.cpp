@@ -25,7 +25,7 @@ std::vector<DiscPoint> disc_kernel(int count) {
 
 Recipe disc_recipe(const Variant& variant, const std::string& shader, int reads_per_sample) {
     Recipe recipe;
-    recipe.tables = {turn_table(2.0 * std::numbers::pi)};
+    recipe.tables = {turn_table(2.0 * std::numbers::pi, variant.noise)};
     // Each sample's texels; the pixel's own depth, normal and turn.
     Step step = accessibility_step(variant, shader, {Target::kDepth, Target::kNormal, "turns"},
                                    reads_per_sample * variant.samples + 3);

@@ -11,7 +11,7 @@
 uniform float p_radius_m;
 uniform float p_reach;
 uniform sampler2D t_normal;
-uniform sampler2D t_turns;  // kTileSize x kTileSize: cosine and sine
+uniform sampler2D t_turns;  // NOISE_SIZE x NOISE_SIZE: cosine and sine
 
 const vec2 kDisc[] = DISC;
 
@@ -22,7 +22,7 @@ float pixel_size() { return 2.0 * u_ray_scale.y / u_size.y; }
 
 // The texel of point i; negative outside the image.
 ivec2 disc_texel(int i, float z) {
-    vec2 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % kTileSize, 0).xy;
+    vec2 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % NOISE_SIZE, 0).xy;
     float radius_px = p_radius_m * p_reach / (z * pixel_size());
     vec2 d = kDisc[i];
     vec2 px = gl_FragCoord.xy +

@@ -13,7 +13,7 @@ DiscModel::DiscModel(const SeenBuffers& buffers, const Variant& variant)
     : buffers_(buffers),
       view_(buffers),
       kernel_(disc_kernel(variant.samples)),
-      tile_(turn_tile(2.0 * std::numbers::pi)) {
+      tile_(turn_tile(2.0 * std::numbers::pi, variant.noise)) {
     const Technique& technique = *find_technique(variant.technique);
     const auto value = [&](const char* name) {
         return nearest_float(variant.value_of(*technique.find_parameter(name)));
@@ -23,7 +23,7 @@ DiscModel::DiscModel(const SeenBuffers& buffers, const Variant& variant)
 
 Rounded DiscModel::sum(int x, int y, double most,
                        const std::function<Rounded(int x, int y)>& worth) const {
-    const Turn& turn = tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)];
+    const Turn& turn = tile_.at(x, y);
     const Rounded cosine(turn.cosine);
     const Rounded sine(turn.sine);
     const Rounded z(buffers_.depth_at(x, y));

@@ -27,7 +27,7 @@ class DiscModel {
     SeenView view_;
     Rounded radius_m_;
     std::vector<DiscPoint> kernel_;
-    std::vector<Turn> tile_;
+    Tile<Turn> tile_;
 };
 
 }  // namespace obscura::renderer

@@ -8,7 +8,7 @@ namespace obscura::renderer {
 namespace {
 
 Recipe recipe_of(const Variant& variant) {
-    return fan_recipe(variant, "technique/gtao.glsl", fan_of_slices(variant.samples));
+    return fan_recipe(variant, "technique/gtao.glsl", fan_of_slices(variant));
 }
 
 }  // namespace
@@ -21,9 +21,10 @@ Technique gtao_technique() {
         "Jimenez et al. 2016, Practical Realtime Strategies for Accurate Indirect Occlusion; "
         "linear "
         "falloff after Intel's XeGTAO 2021";
-    technique.samples = {2 * kSliceSteps, 128, 2 * 2 * kSliceSteps, 2 * kSliceSteps};
+    technique.samples = {2, 256, 16, 2, "steps"};
     technique.parameters = {
         slice_radius(),
+        slice_steps(),
         slice_reach(1.0),
         {"falloff", "Share of the reach, at its far end, over which an occluder fades to nothing",
          "of the reach", 0.0, 1.0, 0.615},

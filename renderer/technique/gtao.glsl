@@ -33,7 +33,7 @@ float horizon(Surface p, Slice s, float side, float jitter, float radius_m, floa
 
 float accessibility(vec2 uv, float z) {
     Surface p = surface_at(uv, z);
-    vec3 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % kTileSize, 0).xyz;
+    vec3 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % NOISE_SIZE, 0).xyz;
     float radius_m = p_radius_m * p_reach;
     float visible = 0.0;
     float open = 0.0;

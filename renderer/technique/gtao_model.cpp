@@ -23,15 +23,15 @@ class GtaoModel {
         thin_ = variant.value_of(*technique.find_parameter("thin_occluder"));
         spread_ = value("step_spread");
         power_ = value("power");
-        const Fan fan = fan_of_slices(variant.samples);
-        tile_ = turn_tile(fan.sector_rad);
+        const Fan fan = fan_of_slices(variant);
+        tile_ = turn_tile(fan.sector_rad, variant.noise);
+        steps_ = fan.steps;
         directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const SliceSurface p = march_.surface(x, y);
-        const Turn& turn =
-            tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)];
+        const Turn& turn = tile_.at(x, y);
         Bounded visible;
         Bounded open;
         for (const Turn& by : directions_) {
@@ -50,7 +50,7 @@ class GtaoModel {
         }
         const Bounded found = power_of(mean, power_);
         return {found.value, found.low, found.high,
-                2 * kSliceSteps * static_cast<int>(directions_.size())};
+                2 * steps_ * static_cast<int>(directions_.size())};
     }
 
   private:
@@ -58,8 +58,8 @@ class GtaoModel {
                                   const Turn& turn, const Rounded& open) const {
         const Rounded radius_px = radius_m_ / (p.z * p.pixel);
         Bounded found = bounds_of(open);
-        for (int i = 0; i < kSliceSteps; ++i) {
-            const Rounded distance_px = slice_distance_px(i, turn, radius_px, spread_);
+        for (int i = 0; i < steps_; ++i) {
+            const Rounded distance_px = slice_distance_px(i, steps_, turn, radius_px, spread_);
             const SliceSamples seen = march_.samples(p, s, Rounded(side) * distance_px);
             const Rounded nominal = cosine_of(seen.front(), open);
             Bounded cosine = bounds_of(nominal);
@@ -95,7 +95,8 @@ class GtaoModel {
     Rounded spread_;
     Rounded power_;
     bool clamped_;
-    std::vector<Turn> tile_;
+    Tile<Turn> tile_;
+    int steps_ = 4;
     std::vector<Turn> directions_;
 };
 

@@ -8,7 +8,7 @@ namespace obscura::renderer {
 namespace {
 
 Recipe recipe_of(const Variant& variant) {
-    return fan_recipe(variant, "technique/hbao.glsl", fan_of_directions(variant.samples));
+    return fan_recipe(variant, "technique/hbao.glsl", fan_of_directions(variant));
 }
 
 }  // namespace
@@ -20,9 +20,10 @@ Technique hbao_technique() {
     technique.citation =
         "Bavoil and Sainz 2008, Image-Space Horizon-Based Ambient Occlusion; as in Sunet 2018 and "
         "Hussain 2021";
-    technique.samples = {kSliceSteps, 128, 4 * kSliceSteps, kSliceSteps};
+    technique.samples = {1, 256, 16, 1, "steps"};
     technique.parameters = {
         slice_radius(),
+        slice_steps(),
         slice_reach(1.0),
         {"bias", "Sine of the angle above the tangent plane below which nothing occludes", "", 0.0,
          0.99, 0.5},

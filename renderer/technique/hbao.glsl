@@ -18,7 +18,7 @@ const vec2 kDirectionTurns[] = FAN_TURNS;
 
 float accessibility(vec2 uv, float z) {
     Surface p = surface_at(uv, z);
-    vec3 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % kTileSize, 0).xyz;
+    vec3 turn = texelFetch(t_turns, ivec2(gl_FragCoord.xy) % NOISE_SIZE, 0).xyz;
     float radius_m = p_radius_m * p_reach;
     float radius_px = radius_m / (z * p.pixel);
     float per_squared = 1.0 / max(radius_m * radius_m, 1.0e-30);

@@ -30,15 +30,15 @@ class HbaoModel {
         spread_ = value("step_spread");
         strength_ = value("strength");
         power_ = value("power");
-        const Fan fan = fan_of_directions(variant.samples);
-        tile_ = turn_tile(fan.sector_rad);
+        const Fan fan = fan_of_directions(variant);
+        tile_ = turn_tile(fan.sector_rad, variant.noise);
+        steps_ = fan.steps;
         directions_ = fan_turns(fan);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const SliceSurface p = march_.surface(x, y);
-        const Turn& turn =
-            tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)];
+        const Turn& turn = tile_.at(x, y);
         Rounded occluded;
         for (const Turn& by : directions_) {
             occluded = occluded + occluded_along(p, march_.slice(p, turn, by), turn);
@@ -51,7 +51,7 @@ class HbaoModel {
             }
         }
         const Bounded found = power_of(mean, power_);
-        return {found.value, found.low, found.high, kSliceSteps * count};
+        return {found.value, found.low, found.high, steps_ * count};
     }
 
   private:
@@ -67,9 +67,9 @@ class HbaoModel {
         // No higher than the ray to the camera; there both are 1 but for rounding.
         const bool below = -s.sine.value < bias_cosine_.value;
         State state{below ? raised : Rounded(1.0, raised.error), Rounded(0.0)};
-        for (int i = 0; i < kSliceSteps; ++i) {
+        for (int i = 0; i < steps_; ++i) {
             const SliceSamples seen =
-                march_.samples(p, s, slice_distance_px(i, turn, radius_px, spread_));
+                march_.samples(p, s, slice_distance_px(i, steps_, turn, radius_px, spread_));
             State next = after(state, seen.front());
             for (const SliceSample& other : seen) {
                 const State may_be = after(state, other);
@@ -113,7 +113,8 @@ class HbaoModel {
     Rounded strength_;
     Rounded power_;
     bool clamped_;
-    std::vector<Turn> tile_;
+    Tile<Turn> tile_;
+    int steps_ = 4;
     std::vector<Turn> directions_;
 };
 

@@ -17,7 +17,7 @@ Recipe recipe_of(const Variant& variant) {
     const Technique& technique = *find_technique(variant.technique);
     const double shortest = variant.value_of(*technique.find_parameter("shortest"));
     Recipe recipe;
-    recipe.tables = {rotation_table()};
+    recipe.tables = {rotation_table(variant.noise)};
     Step step =
         accessibility_step(variant, "technique/hemisphere.glsl",
                            {Target::kDepth, Target::kNormal, "rotations"}, variant.samples + 3);

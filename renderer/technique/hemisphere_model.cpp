@@ -58,7 +58,7 @@ std::optional<Frame3> tangent_frame(const Rounded3& n, const Rounded3& r) {
 class HemisphereModel {
   public:
     HemisphereModel(const SeenBuffers& buffers, const Variant& variant)
-        : buffers_(buffers), view_(buffers), tile_(rotation_tile()) {
+        : buffers_(buffers), view_(buffers), tile_(rotation_tile(variant.noise)) {
         const Technique& technique = *find_technique(variant.technique);
         const auto value = [&](const char* name) {
             return variant.value_of(*technique.find_parameter(name));
@@ -76,8 +76,7 @@ class HemisphereModel {
         const int reads = static_cast<int>(kernel_.size());
         const Rounded z(buffers_.depth_at(x, y));
         const Rounded3 p = view_.ray(view_.place_of(x, y)) * z;
-        const glm::vec3& r =
-            tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)];
+        const glm::vec3& r = tile_.at(x, y);
         const std::optional<Frame3> frame = tangent_frame(view_.normal(x, y), rounded(r));
         if (!frame) return {0.5, 0.0, 1.0, reads};
         Bounded sum;
@@ -106,7 +105,7 @@ class HemisphereModel {
 
     const SeenBuffers& buffers_;
     SeenView view_;
-    std::vector<glm::vec3> tile_;
+    Tile<glm::vec3> tile_;
     std::vector<Rounded3> kernel_;
     Rounded radius_m_;
     Rounded bias_m_;

@@ -12,15 +12,33 @@
 
 namespace obscura::renderer {
 
-std::vector<glm::vec3> rotation_tile() {
+namespace {
+
+/// Of two numbers in [0, 1], uniform on the sphere (Archimedes' hat-box theorem).
+glm::vec3 on_sphere(double u, double v) {
+    const double z = 2.0 * u - 1.0;
+    const double phi = 2.0 * std::numbers::pi * v;
+    const double s = std::sqrt(1.0 - z * z);
+    return {s * std::cos(phi), s * std::sin(phi), z};
+}
+
+}  // namespace
+
+Tile<glm::vec3> rotation_tile(std::string_view noise) {
+    if (noise != "tile4x4") {
+        Tile<glm::vec3> tile{noise_tile(noise).size, {}};
+        for (const glm::dvec2& value : noise_tile(noise)) {
+            tile.values.push_back(on_sphere(value.x, value.y));
+        }
+        return tile;
+    }
     base::Random random(20100501);
-    std::vector<glm::vec3> tile;
+    Tile<glm::vec3> tile{kTileSize, {}};
     for (int i = 0; i < kTileSize * kTileSize; ++i) {
-        // Uniform on the sphere (Archimedes' hat-box theorem).
         const double z = random.uniform(-1.0, 1.0);
         const double phi = random.uniform(0.0, 2.0 * std::numbers::pi);
         const double s = std::sqrt(1.0 - z * z);
-        tile.emplace_back(s * std::cos(phi), s * std::sin(phi), z);
+        tile.values.emplace_back(s * std::cos(phi), s * std::sin(phi), z);
     }
     return tile;
 }
@@ -40,7 +58,10 @@ std::vector<glm::vec3> ball_kernel(int count) {
     return kernel;
 }
 
-NumberTable rotation_table() { return {"rotations", kTileSize, kTileSize, rotation_tile()}; }
+NumberTable rotation_table(std::string_view noise) {
+    const Tile<glm::vec3> tile = rotation_tile(noise);
+    return {"rotations", tile.size, tile.size, tile.values};
+}
 
 std::string points_define(const std::vector<glm::vec3>& points) {
     std::string text = "FOR_EACH_POINT(DO)";
@@ -53,7 +74,9 @@ std::string points_define(const std::vector<glm::vec3>& points) {
 Step accessibility_step(const Variant& variant, const std::string& shader,
                         const std::vector<Read>& reads, int fetches) {
     Step step{"accessibility", shader, reads, Target::kAccessibility.name, {}, fetches};
-    step.defines = {"SAMPLES " + std::to_string(variant.samples)};
+    const int tile = variant.noise == "tile4x4" ? kTileSize : noise_tile(variant.noise).size;
+    step.defines = {"SAMPLES " + std::to_string(variant.samples),
+                    "NOISE_SIZE " + std::to_string(tile)};
     if (variant.unclamped) step.defines.emplace_back("UNCLAMPED");
     return step;
 }

@@ -7,20 +7,21 @@
 #include <vector>
 
 #include "renderer/recipe/recipe.h"
+#include "renderer/technique/noise.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::renderer {
 
-/// The 4x4 tile of unit vectors that turns every pixel's samples another way; seeded, always the
-/// same. Row by row.
-[[nodiscard]] std::vector<glm::vec3> rotation_tile();
+/// The tile of unit vectors that turns every pixel's samples another way: of Variant::noise, 4x4
+/// random ones or those of noise_tile() on the sphere. Always the same.
+[[nodiscard]] Tile<glm::vec3> rotation_tile(std::string_view noise = "tile4x4");
 
 /// `count` points in the unit ball for `blizzard` and `raymarch`: directions spread evenly over the
 /// sphere (spherical Fibonacci points), lengths spread evenly from 1/2 to 1.
 [[nodiscard]] std::vector<glm::vec3> ball_kernel(int count);
 
-/// The tile as a table of a recipe: `rotations`, kTileSize x kTileSize.
-[[nodiscard]] NumberTable rotation_table();
+/// The tile as a table of a recipe: `rotations`.
+[[nodiscard]] NumberTable rotation_table(std::string_view noise);
 
 /// A step's define that makes points constants of its program: FOR_EACH_POINT(DO) is DO(vec3(...))
 /// for one after the other, to the last bit. What every pixel reads alike costs no texture read,
@@ -28,7 +29,7 @@ namespace obscura::renderer {
 [[nodiscard]] std::string points_define(const std::vector<glm::vec3>& points);
 
 /// A step that writes accessibility by a shader that ends in passes/accessibility.glsl, with the
-/// number of samples as the define SAMPLES.
+/// number of samples as the define SAMPLES and the side of its noise's tile as NOISE_SIZE.
 [[nodiscard]] Step accessibility_step(const Variant& variant, const std::string& shader,
                                       const std::vector<Read>& reads, int fetches);
 

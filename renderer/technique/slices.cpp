@@ -25,34 +25,54 @@ int reversed(int i) { return ((i & 1) << 3) | ((i & 2) << 1) | ((i & 4) >> 1) | 
 
 }  // namespace
 
-std::vector<Turn> turn_tile(double sector_rad) {
-    std::vector<Turn> tile;
+Tile<Turn> turn_tile(double sector_rad, std::string_view noise) {
+    if (noise != "tile4x4") {
+        Tile<Turn> tile{noise_tile(noise).size, {}};
+        for (const glm::dvec2& value : noise_tile(noise)) {
+            tile.values.push_back(turn_by(sector_rad * value.x, value.y));
+        }
+        return tile;
+    }
+    Tile<Turn> tile{kTileSize, {}};
     for (int y = 0; y < kTileSize; ++y) {
         for (int x = 0; x < kTileSize; ++x) {
             // Neighbours in a row or column are far apart in angle.
             const int i = kTileSize * ((x + y) % kTileSize) + x;
-            tile.push_back(turn_by(sector_rad * (i + 0.5) / kTurns, (reversed(i) + 0.5) / kTurns));
+            tile.values.push_back(
+                turn_by(sector_rad * (i + 0.5) / kTurns, (reversed(i) + 0.5) / kTurns));
         }
     }
     return tile;
 }
 
-NumberTable turn_table(double sector_rad) {
-    NumberTable table{"turns", kTileSize, kTileSize, {}};
-    for (const Turn& turn : turn_tile(sector_rad)) {
+NumberTable turn_table(double sector_rad, std::string_view noise) {
+    const Tile<Turn> tile = turn_tile(sector_rad, noise);
+    NumberTable table{"turns", tile.size, tile.size, {}};
+    for (const Turn& turn : tile) {
         table.texels.emplace_back(turn.cosine, turn.sine, turn.jitter);
     }
     return table;
 }
 
-Fan fan_of_slices(int samples) {
-    const int count = samples / (2 * kSliceSteps);
-    return {count, std::numbers::pi / count};
+namespace {
+
+int steps_of(const Variant& variant) {
+    const Technique& technique = *find_technique(variant.technique);
+    return static_cast<int>(variant.value_of(*technique.find_parameter(slice_steps().name)));
 }
 
-Fan fan_of_directions(int samples) {
-    const int count = samples / kSliceSteps;
-    return {count, 2.0 * std::numbers::pi / count};
+}  // namespace
+
+Fan fan_of_slices(const Variant& variant) {
+    const int steps = steps_of(variant);
+    const int count = variant.samples / (2 * steps);
+    return {count, std::numbers::pi / count, steps};
+}
+
+Fan fan_of_directions(const Variant& variant) {
+    const int steps = steps_of(variant);
+    const int count = variant.samples / steps;
+    return {count, 2.0 * std::numbers::pi / count, steps};
 }
 
 std::vector<Turn> fan_turns(const Fan& fan) {
@@ -68,13 +88,20 @@ Recipe fan_recipe(const Variant& variant, const std::string& shader, const Fan& 
                              turn.sine);
     }
     Recipe recipe;
-    recipe.tables = {turn_table(fan.sector_rad)};
+    recipe.tables = {turn_table(fan.sector_rad, variant.noise)};
     Step step = accessibility_step(variant, shader, {Target::kDepth, Target::kNormal, "turns"},
                                    variant.samples + 3);
     step.defines.push_back(fmt::format("FAN_COUNT {}", fan.count));
+    // What the parameter says is in the program's loop.
+    step.defines.push_back(fmt::format("FAN_STEPS {}", fan.steps));
+    step.defines.push_back(fmt::format("p_{} {}", slice_steps().name, fan.steps));
     step.defines.push_back(fmt::format("FAN_TURNS vec2[]({})", turns));
     recipe.steps = {step};
     return recipe;
+}
+
+Parameter slice_steps() {
+    return {"steps", "Samples on one side of a slice", "", 1.0, 16.0, 4.0, true, false};
 }
 
 Parameter slice_radius() {

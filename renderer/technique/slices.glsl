@@ -9,9 +9,9 @@
 #include "passes/normal_codec.glsl"
 
 uniform sampler2D t_normal;
-uniform sampler2D t_turns;  // kTileSize x kTileSize: cosine and sine of the first slice, jitter
+uniform sampler2D t_turns;  // NOISE_SIZE x NOISE_SIZE: cosine and sine of the first slice, jitter
 
-const int kSteps = 4;  // of a slice on each side
+const int kSteps = FAN_STEPS;  // of a slice on each side
 const float kLeastCosine = 1.0e-3;  // of the normal against the ray to the camera
 
 struct Surface {
@@ -74,20 +74,32 @@ void place(Surface p, Slice s, float distance_px, inout Sample q) {
     q.cosine = -with_ray / p.length * inversesqrt(q.squared);
 }
 
-// The surface `distance_px` pixels along the slice's direction; negative on the other side.
-Sample sample_at(Surface p, Slice s, float distance_px) {
+// A texel's surface of depth z, carried over to a place in pixels that lies within it and
+// `distance_px` along the slice's direction.
+Sample carried(Surface p, Slice s, float distance_px, vec2 px, ivec2 texel, float z) {
     Sample q;
-    vec2 px = p.px + s.direction * distance_px;
-    q.seen = all(greaterThanEqual(px, vec2(0.0))) && all(lessThan(px, u_size));
-    if (!q.seen) return q;
-    ivec2 texel = ivec2(px);
-    float z = texelFetch(t_depth, texel, 0).r;
     q.seen = z < kBackgroundLimit_m;
     float change = clamp(z * dot(p.slope_per_m, px - (vec2(texel) + 0.5)), -0.9, 0.5);
     q.there = z / (1.0 + change);
     q.deeper = (z - p.z) - q.there * change;
     place(p, s, distance_px, q);
     return q;
+}
+
+bool in_image(vec2 px) {
+    return all(greaterThanEqual(px, vec2(0.0))) && all(lessThan(px, u_size));
+}
+
+// The surface `distance_px` pixels along the slice's direction; negative on the other side.
+Sample sample_at(Surface p, Slice s, float distance_px) {
+    vec2 px = p.px + s.direction * distance_px;
+    if (!in_image(px)) {
+        Sample none;
+        none.seen = false;
+        return none;
+    }
+    ivec2 texel = ivec2(px);
+    return carried(p, s, distance_px, px, texel, texelFetch(t_depth, texel, 0).r);
 }
 
 // How far along a slice sample i of kSteps lies, in pixels; at least 1, so that none is on P.

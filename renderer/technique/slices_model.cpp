@@ -25,9 +25,9 @@ Bounded power_of(const Bounded& a, const Rounded& power) {
             open(a.high) ? a.high : of(a.high).high()};
 }
 
-Rounded slice_distance_px(int i, const Turn& turn, const Rounded& radius_px,
+Rounded slice_distance_px(int i, int steps, const Turn& turn, const Rounded& radius_px,
                           const Rounded& spread) {
-    const Rounded u = (Rounded(i) + Rounded(turn.jitter)) / Rounded(kSliceSteps);
+    const Rounded u = (Rounded(i) + Rounded(turn.jitter)) / Rounded(steps);
     const auto mixed = [&u](const Rounded& share) { return Rounded(1.0) - share + u * share; };
     const Rounded squared = u * mixed(min(spread, Rounded(1.0)));
     return Rounded(1.0) + radius_px * squared * mixed(max(spread - Rounded(1.0), Rounded(0.0)));
@@ -109,12 +109,12 @@ SlicePlane SlicesModel::slice(const SliceSurface& p, const Turn& turn, const Tur
 }
 
 SliceSample SlicesModel::sample(const SliceSurface& p, const SlicePlane& s,
-                                const Rounded& distance_px, int x, int y, const Rounded& px_x,
-                                const Rounded& px_y) const {
-    const Rounded z(buffers_.depth_at(x, y));
+                                const Rounded& distance_px, const SeenTexel& texel, float depth_m,
+                                const Rounded& px_x, const Rounded& px_y) const {
+    const Rounded z(depth_m);
     if (z.value >= static_cast<double>(kBackgroundLimit_m)) return {};
-    const Rounded off_x = px_x - Rounded(x + 0.5);
-    const Rounded off_y = px_y - Rounded(y + 0.5);
+    const Rounded off_x = px_x - Rounded(texel.x + 0.5);
+    const Rounded off_y = px_y - Rounded(texel.y + 0.5);
     const Rounded change =
         clamp(z * (p.slope_x * off_x + p.slope_y * off_y), nearest_float(-0.9), Rounded(0.5));
     SliceSample found;
@@ -140,14 +140,19 @@ SliceSample SlicesModel::moved(const SliceSurface& p, const SlicePlane& s,
 }
 
 SliceSamples SlicesModel::samples(const SliceSurface& p, const SlicePlane& s,
-                                  const Rounded& distance_px) const {
+                                  const Rounded& distance_px, bool second) const {
     const Rounded px_x = Rounded(p.x + 0.5) + s.x * distance_px;
     const Rounded px_y = Rounded(p.y + 0.5) + s.y * distance_px;
     const SeenTexels texels = seen_texels(buffers_, px_x, px_y);
     SliceSamples found;
     for (const SeenTexel& texel : texels.list) {
-        found.push_back(texel.inside ? sample(p, s, distance_px, texel.x, texel.y, px_x, px_y)
-                                     : SliceSample{});
+        if (!texel.inside) {
+            found.emplace_back();
+            continue;
+        }
+        const float depth_m =
+            second ? buffers_.second_at(texel.x, texel.y) : buffers_.depth_at(texel.x, texel.y);
+        found.push_back(sample(p, s, distance_px, texel, depth_m, px_x, px_y));
     }
     if (texels.any) {
         SliceSample any;

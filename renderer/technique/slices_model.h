@@ -70,9 +70,10 @@ class SlicesModel {
     [[nodiscard]] SliceSurface surface(int x, int y) const;
     /// The direction of `turn` turned on by `by`.
     [[nodiscard]] SlicePlane slice(const SliceSurface& p, const Turn& turn, const Turn& by) const;
-    /// At a distance along the slice's direction; negative on the other side.
+    /// At a distance along the slice's direction, negative on the other side; of the first layer
+    /// or, where the buffers have it, of the second.
     [[nodiscard]] SliceSamples samples(const SliceSurface& p, const SlicePlane& s,
-                                       const Rounded& distance_px) const;
+                                       const Rounded& distance_px, bool second = false) const;
     /// The same with another depth, along the same ray.
     [[nodiscard]] static SliceSample moved(const SliceSurface& p, const SlicePlane& s,
                                            const Rounded& distance_px, SliceSample sample,
@@ -80,8 +81,8 @@ class SlicesModel {
 
   private:
     [[nodiscard]] SliceSample sample(const SliceSurface& p, const SlicePlane& s,
-                                     const Rounded& distance_px, int x, int y, const Rounded& px_x,
-                                     const Rounded& px_y) const;
+                                     const Rounded& distance_px, const SeenTexel& texel,
+                                     float depth_m, const Rounded& px_x, const Rounded& px_y) const;
 
     const SeenBuffers& buffers_;
     SeenView view_;
@@ -96,10 +97,10 @@ struct Bounded {
     void operator+=(const Bounded& other);
 };
 
-/// How far along a slice sample i lies where samples lie evenly (spread 0), squared (1) or cubed
-/// (2).
-[[nodiscard]] Rounded slice_distance_px(int i, const Turn& turn, const Rounded& radius_px,
-                                        const Rounded& spread);
+/// How far along a slice sample i of `steps` lies where samples lie evenly (spread 0), squared (1)
+/// or cubed (2).
+[[nodiscard]] Rounded slice_distance_px(int i, int steps, const Turn& turn,
+                                        const Rounded& radius_px, const Rounded& spread);
 
 /// Twice the cosine-weighted integral over a slice's angles from the ray to the camera to one whose
 /// cosine is c, on the side where the normal's cosines are `facing` and `across`; it falls where c

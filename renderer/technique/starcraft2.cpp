@@ -29,7 +29,7 @@ Recipe recipe_of(const Variant& variant) {
     const int halvings = starcraft2_halvings(variant);
     const std::string shift = fmt::format("DEPTH_SHIFT {}", halvings);
     Recipe recipe;
-    recipe.tables = {rotation_table()};
+    recipe.tables = {rotation_table(variant.noise)};
     Step step =
         accessibility_step(variant, "technique/starcraft2.glsl",
                            {Target::kDepth, Target::kNormal, "rotations"}, variant.samples + 3);

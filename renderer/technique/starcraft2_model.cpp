@@ -50,14 +50,14 @@ class Starcraft2Model {
         power_ = value("power");
         small_power_ = value("small_power");
         footprint_ = value("footprint");
-        for (const glm::vec3& r : rotation_tile()) tile_.push_back(rounded(r));
+        const Tile<glm::vec3> tile = rotation_tile(variant.noise);
+        tile_.size = tile.size;
+        for (const glm::vec3& r : tile) tile_.values.push_back(rounded(r));
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const Rounded z(buffers_.depth_at(x, y));
-        const Place place{
-            view_.ray(view_.place_of(x, y)) * z, view_.normal(x, y),
-            tile_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)]};
+        const Place place{view_.ray(view_.place_of(x, y)) * z, view_.normal(x, y), tile_.at(x, y)};
         const Rounded height = view_.pixel() * Rounded(buffers_.height);
         Rounded radius_m = min(radius_m_, footprint_ * height * z);
         Bounded occluded = occlusion_of(points_.wide, place, radius_m, power_);
@@ -149,7 +149,7 @@ class Starcraft2Model {
     SeenView view_;
     Starcraft2Points points_;
     bool clamped_;
-    std::vector<Rounded3> tile_;
+    Tile<Rounded3> tile_;
     Rounded radius_m_;
     Rounded small_radius_;
     Rounded epsilon_;

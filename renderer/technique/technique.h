@@ -32,6 +32,7 @@ struct SampleRange {
     int high = 0;
     int standard = 0;
     int multiple_of = 1;
+    std::string times = "";  ///< a parameter that multiplies this: steps
 };
 
 /// What a technique makes.

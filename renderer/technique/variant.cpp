@@ -23,8 +23,20 @@ std::string names_of(const List& list) {
     return names.empty() ? "none" : names;
 }
 
-void check_samples(const Technique& technique, int samples, Problems& problems) {
+/// What the number of samples is a multiple of; 1 where the parameter that says so is wrong itself.
+int multiple_of(const Technique& technique, const Variant& variant) {
     const SampleRange& range = technique.samples;
+    if (range.times.empty()) return range.multiple_of;
+    const Parameter& times = *technique.find_parameter(range.times);
+    const double value = variant.value_of(times);
+    const bool sound = value >= times.low && value <= times.high && value == std::floor(value);
+    return sound ? range.multiple_of * static_cast<int>(value) : 1;
+}
+
+void check_samples(const Technique& technique, const Variant& variant, Problems& problems) {
+    const SampleRange& range = technique.samples;
+    const int samples = variant.samples;
+    const int multiple = multiple_of(technique, variant);
     if (samples < range.low || samples > range.high) {
         problems.push_back(
             {"samples",
@@ -32,9 +44,11 @@ void check_samples(const Technique& technique, int samples, Problems& problems) 
                  ? fmt::format("{} is not allowed: {} takes no samples", samples, technique.name)
                  : fmt::format("{} is out of range: {} takes {} to {}", samples, technique.name,
                                range.low, range.high)});
-    } else if (samples % range.multiple_of != 0) {
-        problems.push_back({"samples", fmt::format("{} is not allowed: {} takes multiples of {}",
-                                                   samples, technique.name, range.multiple_of)});
+    } else if (samples % multiple != 0) {
+        problems.push_back(
+            {"samples",
+             fmt::format("{} is not allowed: {} takes multiples of {}{}", samples, technique.name,
+                         multiple, range.times.empty() ? "" : " at its number of " + range.times)});
     }
 }
 
@@ -49,21 +63,36 @@ void check_denoise(const Technique& technique, const std::string& denoise, Probl
     }
 }
 
+/// Why a technique does not have an option; empty where it has.
+std::string why_without(const Technique& technique, const std::string& option,
+                        const std::string& value) {
+    if (option == "depth_format") {
+        const bool starts_rays = technique.ray_traced && !technique.is_truth();
+        if (!starts_rays) return "";
+        return fmt::format("starts its rays from the depth, and {} bits put them inside surfaces",
+                           value == "d24" ? 24 : 16);
+    }
+    if (!technique.makes_accessibility()) return "has no buffer of accessibility";
+    if (technique.is_truth()) return "is the truth, which is shown as it is";
+    if (option == "noise" && technique.ray_traced) return "has points of its own for its rays";
+    return "";
+}
+
 void check_options(const Variant& variant, Problems& problems) {
+    const Technique& technique = *find_technique(variant.technique);
     for (const VariantOption& option : variant_options()) {
         const std::string& value = variant.*option.value;
         const auto& allowed = option.allowed;
-        if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) continue;
-        problems.push_back({option.name, fmt::format("\"{}\" is unknown; allowed are {}", value,
-                                                     fmt::join(allowed, ", "))});
-    }
-    const Technique& technique = *find_technique(variant.technique);
-    if (technique.ray_traced && !technique.is_truth() && variant.depth_format == "r16f") {
+        if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
+            problems.push_back({option.name, fmt::format("\"{}\" is unknown; allowed are {}", value,
+                                                         fmt::join(allowed, ", "))});
+            continue;
+        }
+        if (value == option.standard()) continue;
+        const std::string why = why_without(technique, option.name, value);
+        if (why.empty()) continue;
         problems.push_back(
-            {"depth_format", fmt::format("\"r16f\" is not allowed: {} starts its rays "
-                                         "from the depth, and 16 bits put them "
-                                         "inside surfaces",
-                                         technique.name)});
+            {option.name, fmt::format("\"{}\" is not allowed: {} {}", value, technique.name, why)});
     }
 }
 
@@ -89,11 +118,47 @@ void check_parameter(const Technique& technique, const std::string& name, double
 const std::vector<VariantOption>& variant_options() {
     static const std::vector<VariantOption> list = {
         {"depth_format",
-         "How the depth that the technique reads is stored",
-         {"r32f", "r16f"},
+         "How the depth that the technique reads is stored; d24: rebuilt from the depth test's",
+         {"r32f", "r16f", "d24"},
          &Variant::depth_format},
+        {"normal_format",
+         "How the normal that the technique reads is stored; rg8: z rebuilt; oct16: octahedral; "
+         "from-depth: rebuilt from neighbours' depths",
+         {"rgb8", "rg8", "oct16", "from-depth"},
+         &Variant::normal_format},
+        {"noise",
+         "What turns the samples from pixel to pixel: a tile of 4x4, blue noise, or R2 points "
+         "along a Hilbert curve, both over 64x64",
+         {"tile4x4", "blue64", "hilbert64"},
+         &Variant::noise},
+        {"ao_scale",
+         "Width and height of the accessibility buffer, of the image's; brought up by depth",
+         {"1", "0.5", "0.25"},
+         &Variant::ao_scale,
+         true},
+        {"ao_format", "How accessibility is stored", {"r32f", "r16f", "r8"}, &Variant::ao_format},
     };
     return list;
+}
+
+std::string options_in_words(const Variant& variant) {
+    std::string words;
+    for (const VariantOption& option : variant_options()) {
+        const std::string& value = variant.*option.value;
+        if (value == option.standard()) continue;
+        words += fmt::format("{}{} {}", words.empty() ? "" : ", ", option.name, value);
+    }
+    return words;
+}
+
+bool same_options(const Variant& a, const Variant& b) {
+    return std::all_of(
+        variant_options().begin(), variant_options().end(),
+        [&](const VariantOption& option) { return a.*option.value == b.*option.value; });
+}
+
+int ao_step(const Variant& variant) {
+    return variant.ao_scale == "0.25" ? 4 : variant.ao_scale == "0.5" ? 2 : 1;
 }
 
 const VariantOption* find_option(std::string_view name) {
@@ -132,20 +197,14 @@ std::string Variant::in_words() const {
         }
     }
     words += ", denoise " + denoise;
-    for (const VariantOption& option : variant_options()) {
-        const std::string& value = this->*option.value;
-        if (value != option.standard()) words += fmt::format(", {} {}", option.name, value);
-    }
-    return words;
+    const std::string options = options_in_words(*this);
+    return options.empty() ? words : words + ", " + options;
 }
 
 bool Variant::operator==(const Variant& other) const {
-    const auto same = [&](const VariantOption& option) {
-        return this->*option.value == other.*option.value;
-    };
     return technique == other.technique && samples == other.samples && denoise == other.denoise &&
            unclamped == other.unclamped && all_parameters() == other.all_parameters() &&
-           std::all_of(variant_options().begin(), variant_options().end(), same);
+           same_options(*this, other);
 }
 
 const std::vector<std::string>& preset_names() {
@@ -194,7 +253,7 @@ std::vector<VariantProblem> problems_of(const Variant& variant) {
                                           names_of(techniques()))}};
     }
     Problems problems;
-    check_samples(*technique, variant.samples, problems);
+    check_samples(*technique, variant, problems);
     check_denoise(*technique, variant.denoise, problems);
     check_options(variant, problems);
     for (const auto& [name, value] : variant.parameters) {

@@ -20,7 +20,12 @@ struct Variant {
     int samples = 0;
     std::map<std::string, double> parameters = {};
     std::string denoise = "none";
-    std::string depth_format = "r32f";  ///< a VariantOption, like every later member of its kind
+    // Each a VariantOption.
+    std::string depth_format = "r32f";
+    std::string normal_format = "rgb8";
+    std::string noise = "tile4x4";
+    std::string ao_scale = "1";
+    std::string ao_format = "r32f";
     bool unclamped = false;  ///< for checks: what is not a number is not clamped away at the end
 
     /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
@@ -44,10 +49,21 @@ struct VariantOption {
     std::string meaning;
     std::vector<std::string> allowed;  ///< the first is the standard
     std::string Variant::*value;
+    bool number = false;  ///< the words are numbers, and study files say them as such
 
     [[nodiscard]] const std::string& standard() const { return allowed.front(); }
 };
 [[nodiscard]] const std::vector<VariantOption>& variant_options();
+
+/// The options that are not at their standard: `ao_scale 0.5, noise blue64`; empty where all are.
+[[nodiscard]] std::string options_in_words(const Variant& variant);
+
+/// Whether every option of two is the same.
+[[nodiscard]] bool same_options(const Variant& a, const Variant& b);
+
+/// Which of the image's columns and rows a technique computes accessibility for: every first,
+/// second or fourth, as `ao_scale` says.
+[[nodiscard]] int ao_step(const Variant& variant);
 
 /// The option of that name, or nullptr.
 [[nodiscard]] const VariantOption* find_option(std::string_view name);

@@ -43,7 +43,7 @@ std::optional<int> squarings_of(const Variant& variant) {
 
 Recipe view_space_recipe(const Variant& variant, const std::string& shader, int depths_per_sample) {
     Recipe recipe;
-    recipe.tables = {rotation_table()};
+    recipe.tables = {rotation_table(variant.noise)};
     // Each sample's depths; the pixel's own depth, normal and rotation.
     recipe.steps = {accessibility_step(variant, shader,
                                        {Target::kDepth, Target::kNormal, "rotations"},

@@ -72,10 +72,12 @@ class ViewSpaceModel {
         const auto vector = [](const glm::vec3& v) {
             return Rounded3{Rounded(v.x), Rounded(v.y), Rounded(v.z)};
         };
-        const std::vector<glm::vec3> tile = rotation_tile();
-        for (std::size_t i = 0; i < directions_.size(); ++i) {
+        const Tile<glm::vec3> tile = rotation_tile(variant.noise);
+        directions_.size = tile.size;
+        for (const glm::vec3& r : tile) {
+            std::vector<Rounded3>& directions = directions_.values.emplace_back();
             for (const glm::vec3& point : ball_kernel(samples_)) {
-                directions_[i].push_back(reflect(vector(point), vector(tile[i])));
+                directions.push_back(reflect(vector(point), vector(r)));
             }
         }
     }
@@ -85,8 +87,7 @@ class ViewSpaceModel {
         const Rounded3 p = view_.ray(view_.place_of(x, y)) * z;
         const Rounded3 n = view_.normal(x, y);
         Worth sum;
-        for (const Rounded3& direction :
-             directions_[static_cast<std::size_t>(kTileSize * (y % kTileSize) + x % kTileSize)]) {
+        for (const Rounded3& direction : directions_.at(x, y)) {
             sum += sample(p, n, direction, z);
         }
         const double rounding = (samples_ + 3) * kUlp;
@@ -155,7 +156,7 @@ class ViewSpaceModel {
     Curve curve_;
     int samples_;
     int steps_;
-    std::array<std::vector<Rounded3>, kTileSize * kTileSize> directions_;
+    Tile<std::vector<Rounded3>> directions_;
 };
 
 }  // namespace

@@ -329,10 +329,13 @@ TEST(HardCaseTables, CountAndQuoteEveryRow) {
     EXPECT_EQ(count.no, 1U);
 }
 
-TEST(Plots, MarkTheFloorOfEightBitsAndTheSettingsThatTheStudyShows) {
-    EXPECT_NEAR(eight_bit_rmse(), 0.00113206, 1e-8);
+TEST(Plots, HoldTimesAgainstBlizzard24AndMarkTheSettingsThatTheStudyShows) {
     const Plot plot = error_over_time(three_rows(), "separable");
-    EXPECT_THAT(plot.script, HasSubstr("8-bit rounding"));
+    EXPECT_THAT(plot.script, HasSubstr("of Blizzard24's"));
+    EXPECT_THAT(plot.data[0].text, HasSubstr("\n1\t")) << "its own time over itself";
+    std::vector<MeasurementRow> without = three_rows();
+    std::erase_if(without, [](const auto& row) { return row.technique == "blizzard"; });
+    EXPECT_THAT(error_over_time(without, "separable").script, HasSubstr("(ms)"));
     EXPECT_THAT(plot.data[0].text, HasSubstr("RayMarching30"));
     EXPECT_THAT(plot.data[0].text, HasSubstr("# front"));
     const ErrorMap wrong{"map", "map", 2, 2, {0.0F}, 0.5};

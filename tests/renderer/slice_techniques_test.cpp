@@ -111,7 +111,8 @@ TEST_P(SliceTechniques, WhatIsFartherThanTheRadiusDoesNotOcclude) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SliceTechniques, testing::Values("hbao", "gtao", "bitmask"),
+INSTANTIATE_TEST_SUITE_P(All, SliceTechniques,
+                         testing::Values("hbao", "gtao", "bitmask", "layered"),
                          [](const auto& tested) { return tested.param; });
 
 using Slices = SliceTechniques;
@@ -131,6 +132,37 @@ TEST_F(Slices, ABitmaskLetsLightPassBehindAThinRailAndHorizonsDoNot) {
         ++i;
     }
     EXPECT_GT(means[1], means[0] + 0.01);
+}
+
+TEST_F(Slices, TwoLayersFindABoxThatAPlateHides) {
+    // Beside a plate far before the wall, the wall is seen; the box on the wall is not.
+    Scene scene = tests::facing_wall(6.0F);
+    tests::add_box(scene, {0.06F, -5.0F, -3.01F}, {5.0F, 5.0F, -3.0F});
+    const auto mean_beside = [&](const std::string& name) {
+        Variant choice = choice_of(name);
+        choice.samples = 64;
+        choice.parameters = {{"radius_m", 0.5}, {"cut_off", 1.0}};
+        const std::vector<float> open = accessibility(scene, choice);
+        double sum = 0.0;
+        for (int y = 48; y < 80; ++y) {
+            sum += open[static_cast<std::size_t>(y) * kSlicePixels + kSlicePixels / 2];
+        }
+        return sum / 32.0;
+    };
+    EXPECT_GE(mean_beside("layered"), 0.98) << "nothing is near";
+    tests::add_box(scene, {0.2F, -5.0F, -6.0F}, {1.2F, 5.0F, -5.8F});
+    EXPECT_GE(mean_beside("bitmask"), 0.98) << "one layer sees the plate only, too far away";
+    EXPECT_LT(mean_beside("layered"), 0.95);
+}
+
+TEST_F(Slices, StepsDivideTheSamplesIntoSlices) {
+    Variant choice = choice_of("bitmask");
+    choice.samples = 12;
+    EXPECT_FALSE(problems_of(choice).empty()) << "no whole number of slices of 2 x 4";
+    choice.parameters["steps"] = 6.0;
+    ASSERT_TRUE(problems_of(choice).empty());
+    EXPECT_EQ(fan_of_slices(choice).count, 1);
+    EXPECT_EQ(fetches_per_pixel(choice), 12 + 3);
 }
 
 TEST(TurnTile, SpreadsSixteenAnglesAndJittersEvenly) {

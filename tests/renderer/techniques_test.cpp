@@ -225,6 +225,30 @@ TEST_P(Computing, EveryPixelIsWhatTheDefinitionGives) {
     }
 }
 
+TEST_P(Computing, EveryPixelIsWhatTheDefinitionGivesWithEveryOption) {
+    const Technique& technique = *find_technique(GetParam());
+    for (const VariantOption& option : variant_options()) {
+        for (const std::string& word : option.allowed) {
+            if (word == option.standard()) continue;
+            Variant choice = choice_of(GetParam());
+            choice.*option.value = word;
+            const Frame frame = render(cluttered_scene(), choice, 67, 47);
+            const SeenBuffers buffers = seen_buffers(frame, forward_camera());
+            auto admitted = admitted_by(technique.model(buffers, choice), buffers);
+            for (auto& pixel : admitted) pixel = as_stored(*pixel, choice.ao_format);
+            const Agreement found =
+                agreement_of(admitted, frame.read_floats(Target::kAccessibility), buffers.width,
+                             option.name + ' ' + word);
+            EXPECT_EQ(found.off, 0U)
+                << found.worst.where << ": defined " << found.worst.definition << ", measured "
+                << found.worst.measured << ", allowed " << found.worst.allowed;
+            for (const float value : frame.read_accessibility()) {
+                ASSERT_TRUE(value >= 0.0F && value <= 1.0F) << option.name << ' ' << word;
+            }
+        }
+    }
+}
+
 std::vector<std::string> names_of_those_with_a_model() {
     std::vector<std::string> names;
     for (const Technique& technique : techniques()) {

@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 #include "app/kiosk/clock.h"
-#include "app/window/letters.h"
 #include "app/kiosk/stage.h"
 #include "app/kiosk/window.h"
+#include "app/window/letters.h"
 #include "app/window/theme.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/app/kiosk/virtual_display.h"
@@ -179,7 +179,8 @@ TEST(Letters, AreWhatTheKeysTypeNotWhereTheyAre) {
         EXPECT_EQ(window::key_of_letter('l'), GLFW_KEY_P);
     }
     const Window window({0, false, {64, 64}});
-    EXPECT_EQ(window::key_of_letter('q'), GLFW_KEY_X) << "a layout that was there before the window";
+    EXPECT_EQ(window::key_of_letter('q'), GLFW_KEY_X)
+        << "a layout that was there before the window";
 }
 
 TEST(Saving, APageStandsOnTheScreenWhileTheStoreTakesItsTime) {

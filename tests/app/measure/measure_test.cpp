@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/measure/experiments/experiment.h"
 #include "app/measure/fit_settings.h"
 #include "app/measure/measure.h"
 #include "app/measure/timing.h"
@@ -91,6 +92,43 @@ TEST_F(Measure, GivesARowForEveryTechniqueSampleCountFilterAndCamera) {
         EXPECT_GT(row.frame.median_ms, row.cost.median_ms);
     }
     EXPECT_FALSE(report.timer_check.empty());
+}
+
+TEST_F(Measure, APapersExperimentHasARowForEachSettingAndJudgesEachConclusion) {
+    for (const std::string name : {"sunet-5.6", "sunet-5.8"}) {
+        const Experiment& experiment = *find_experiment(name);
+        MeasureRequest request = small_request();
+        request.samples = {};
+        request.filters = {};
+        request.experiment = name;
+        const analysis::MeasurementReport report = measure(request, catalogue_).report;
+        EXPECT_EQ(report.rows.size(), experiment.settings.size());
+        int judged = 0;
+        for (const std::string& finding : report.findings) {
+            const bool yes = finding.find(" Here too: ") != std::string::npos;
+            const bool no = finding.find(" Here not: ") != std::string::npos;
+            judged += yes || no ? 1 : 0;
+        }
+        EXPECT_GE(judged, 2) << name;
+        for (const analysis::MeasurementRow& row : report.rows) {
+            EXPECT_EQ(row.error.has_value(), row.technique != "unsharp") << row.error.reason;
+        }
+        EXPECT_THAT(analysis::report_text(report), HasSubstr("The paper: "));
+    }
+}
+
+TEST_F(Measure, AnExperimentThatThereIsNotOrThatIsToldWhatToMeasureIsRefused) {
+    MeasureRequest request = small_request();
+    request.experiment = "sunet-9.9";
+    EXPECT_THROW((void)measure(request, catalogue_), base::Error);
+    request.experiment = "sunet-5.6";
+    EXPECT_THROW((void)measure(request, catalogue_), base::Error) << "samples are asked for";
+    for (const Experiment& experiment : experiments()) {
+        EXPECT_THAT(experiments_text(), HasSubstr(experiment.name));
+        for (const Experiment::Setting& setting : experiment.settings) {
+            EXPECT_TRUE(renderer::problems_of(setting.variant).empty()) << experiment.name;
+        }
+    }
 }
 
 TEST_F(Measure, ASceneWithoutAStudyIsPrintedWithNothingOfTheThesisAndCallsForeignValuesStart) {

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/measure/experiments/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "app/commands/variant_arguments.h"
+
+namespace obscura::app {
+namespace {
+
+/// The papers' experiments that cannot be run, and why.
+constexpr std::pair<const char*, const char*> kNotThere[] = {
+    {"Sunet 2018, 5.2, forward and deferred pipelines", "there is only the G-buffer pipeline"},
+    {"Sunet 2018, 5.4, position from depth", "position is rebuilt by similar triangles only"},
+    {"Sunet 2018, 5.5, position in a buffer", "position is rebuilt by similar triangles only"},
+    {"Sunet 2018, 5.9, progressive", "no kernel is spread over frames"},
+};
+
+}  // namespace
+
+const std::vector<Experiment>& experiments() {
+    static const std::vector<Experiment> list = {
+        jakobsen_order(), whinham_samples(), sunet_depth(),         sunet_normals(),
+        sunet_blur(),     sunet_methods(),   hussain_performance(), hussain_quality()};
+    return list;
+}
+
+const Experiment* find_experiment(const std::string& name) {
+    for (const Experiment& experiment : experiments()) {
+        if (experiment.name == name) return &experiment;
+    }
+    return nullptr;
+}
+
+std::string experiments_text() {
+    std::string text;
+    for (const Experiment& experiment : experiments()) {
+        text += fmt::format("{:15} {}\n", experiment.name, experiment.title);
+    }
+    text += "Not there:\n";
+    for (const auto& [what, why] : kNotThere) text += fmt::format("  {}: {}\n", what, why);
+    return text;
+}
+
+renderer::Variant setting_of(const std::string& technique, int samples, const std::string& denoise,
+                             const std::vector<std::string>& values) {
+    VariantArguments arguments;
+    arguments.technique = technique;
+    arguments.samples = samples;
+    arguments.denoise = denoise;
+    arguments.settings = values;
+    return variant_from(arguments);
+}
+
+const Outcome& outcome_of(const std::vector<Outcome>& outcomes, const std::string& name) {
+    const auto found =
+        std::find_if(outcomes.begin(), outcomes.end(),
+                     [&name](const Outcome& outcome) { return outcome.name == name; });
+    assert(found != outcomes.end());
+    return *found;
+}
+
+std::string in_order(const std::vector<Outcome>& outcomes, double Outcome::*value) {
+    std::vector<const Outcome*> sorted;
+    for (const Outcome& outcome : outcomes) {
+        if (!std::isnan(outcome.*value)) sorted.push_back(&outcome);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [value](const Outcome* a, const Outcome* b) { return a->*value < b->*value; });
+    std::string text;
+    for (const Outcome* outcome : sorted) {
+        text +=
+            fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", outcome->name, outcome->*value);
+    }
+    return text;
+}
+
+}  // namespace obscura::app

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#include "app/measure/experiments/run_experiment.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/measure/experiments/experiment.h"
+#include "app/measure/sweep.h"
+#include "renderer/base/progress.h"
+#include "renderer/gl/context.h"
+
+namespace obscura::app {
+namespace {
+
+/// The means of a setting's rows, `every` rows apart.
+Outcome mean_of(const std::string& name, const std::vector<analysis::MeasurementRow>& rows,
+                std::size_t first, std::size_t every) {
+    Outcome outcome{name};
+    double square = 0.0;
+    double count = 0.0;
+    for (std::size_t i = first; i < rows.size(); i += every) {
+        const analysis::MeasurementRow& row = rows[i];
+        outcome.ao_ms += row.accessibility.median_ms;
+        outcome.filter_ms += row.filter.median_ms;
+        outcome.frame_ms += row.frame.median_ms;
+        square += row.error.has_value() ? row.error->rmse * row.error->rmse : NAN;
+        outcome.bias += row.error.has_value() ? row.error->bias : NAN;
+        count += 1.0;
+    }
+    for (double* sum : {&outcome.ao_ms, &outcome.filter_ms, &outcome.frame_ms, &outcome.bias}) {
+        *sum /= count;
+    }
+    outcome.rmse = std::sqrt(square / count);
+    return outcome;
+}
+
+std::string in_a_sentence(const Outcome& outcome) {
+    const std::string times =
+        fmt::format("{}: {:.2f} ms, filter {:.2f} ms, frame {:.2f} ms", outcome.name, outcome.ao_ms,
+                    outcome.filter_ms, outcome.frame_ms);
+    return std::isnan(outcome.rmse)
+               ? times + ", no accessibility and no error"
+               : fmt::format("{}, RMSE {:.4f}, bias {:+.4f}", times, outcome.rmse, outcome.bias);
+}
+
+}  // namespace
+
+void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
+                    const stimuli::Study& study, const std::vector<MeasuredView>& views,
+                    const TimerCheck& timers, analysis::MeasurementReport& report) {
+    const Experiment& experiment = *find_experiment(request.experiment);
+    const std::vector<MeasuredView> each = one_a_scene(views);
+    report.title = experiment.title;
+    base::Progress progress(experiment.name,
+                            each.size() * experiment.settings.size() *
+                                static_cast<std::size_t>(kDiscardedRuns + *request.runs),
+                            request.quiet);
+    for (const MeasuredView& view : each) {
+        std::vector<Setting> settings;
+        for (const Experiment::Setting& setting : experiment.settings) {
+            const renderer::Variant variant = on_view(setting.variant, view, study);
+            settings.push_back({variant, truth_radius_m(view, variant), Values::kPublished, ""});
+        }
+        SweptView swept = sweep(stage, request, view, settings, timers,
+                                [&progress](const std::string& what) { progress.step(what); });
+        for (auto& row : swept.rows) report.rows.push_back(std::move(row));
+    }
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
+        outcomes.push_back(
+            mean_of(experiment.settings[i].name, report.rows, i, experiment.settings.size()));
+        report.findings.push_back(in_a_sentence(outcomes.back()));
+    }
+    for (const Finding& finding : experiment.judge(outcomes)) {
+        report.findings.push_back(fmt::format("The paper: {}. Here {}: {}.", finding.conclusion,
+                                              finding.agrees ? "too" : "not", finding.because));
+    }
+    if (!experiment.silent_on.empty()) {
+        report.findings.push_back("Not judged: " + experiment.silent_on + ".");
+    }
+    if (renderer::is_software_renderer()) {
+        report.findings.push_back(
+            "Times are of a software renderer: what a paper concludes from the bandwidth or the "
+            "caches of a GPU they neither confirm nor deny.");
+    }
+    analysis::name_variants_apart(report.rows);
+    analysis::mark_front(report.rows);
+}
+
+}  // namespace obscura::app

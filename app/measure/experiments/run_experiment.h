@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "analysis/measurement/report.h"
+#include "app/measure/measured_scene.h"
+#include "app/measure/timing.h"
+
+namespace obscura::app {
+
+/// Runs the request's experiment on the first view of each scene: rows, and findings in sentences.
+void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
+                    const stimuli::Study& study, const std::vector<MeasuredView>& views,
+                    const TimerCheck& timers, analysis::MeasurementReport& report);
+
+}  // namespace obscura::app
