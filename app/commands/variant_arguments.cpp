@@ -2,32 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/variant_arguments.h"
 
-#include <charconv>
 #include <set>
 
 #include "renderer/base/error.h"
 #include "renderer/technique/technique.h"
+#include "renderer/technique/variant_setting.h"
 
 namespace obscura::app {
 namespace {
-
-/// Sets an option of every variant to a word, or a parameter to a number.
-void set(renderer::Variant& variant, const std::string& setting) {
-    const std::size_t equals = setting.find('=');
-    const std::string key = setting.substr(0, equals);
-    const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
-    if (const renderer::VariantOption* option = renderer::find_option(key)) {
-        variant.*option->value = value;
-        return;
-    }
-    const char* const end = value.data() + value.size();
-    double number = 0.0;
-    const auto [rest, error] = std::from_chars(value.data(), end, number);
-    if (key.empty() || error != std::errc() || rest != end) {
-        throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
-    }
-    variant.parameters[key] = number;
-}
 
 bool has_an_option_of_its_own(const std::string& key) {
     return key == "technique" || key == "samples" || key == "denoise";
@@ -58,7 +40,9 @@ renderer::Variant variant_from(const VariantArguments& arguments) {
     std::set<std::string> seen;
     for (const std::string& setting : arguments.settings) {
         const std::string key = setting.substr(0, setting.find('='));
-        set(variant, setting);
+        if (!renderer::set(variant, setting)) {
+            throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
+        }
         if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
     }
     std::string all = renderer::apply_preset(arguments.preset, variant);

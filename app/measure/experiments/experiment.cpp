@@ -9,7 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/variant_arguments.h"
+#include "renderer/base/error.h"
+#include "renderer/technique/variant_setting.h"
 
 namespace obscura::app {
 namespace {
@@ -50,12 +51,17 @@ std::string experiments_text() {
 
 renderer::Variant setting_of(const std::string& technique, int samples, const std::string& denoise,
                              const std::vector<std::string>& values) {
-    VariantArguments arguments;
-    arguments.technique = technique;
-    arguments.samples = samples;
-    arguments.denoise = denoise;
-    arguments.settings = values;
-    return variant_from(arguments);
+    renderer::Variant variant;
+    variant.technique = technique;
+    variant.samples = samples;
+    variant.denoise = denoise;
+    for (const std::string& value : values) {
+        if (!renderer::set(variant, value)) throw base::failure("{} is no setting", value);
+    }
+    for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
+        throw base::failure("{}: {}: {}", technique, problem.key, problem.message);
+    }
+    return variant;
 }
 
 const Outcome& outcome_of(const std::vector<Outcome>& outcomes, const std::string& name) {
