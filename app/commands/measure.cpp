@@ -6,7 +6,7 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 #include "app/measure/measure.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"

@@ -9,11 +9,11 @@
 #include <thread>
 #include <utility>
 
-#include "app/measure/experiments/run_experiment.h"
 #include "app/measure/fit_settings.h"
 #include "app/measure/fitted_study.h"
 #include "app/measure/growth.h"
 #include "app/measure/hard_cases.h"
+#include "app/measure/run_experiment.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/ranges.h>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 #include "app/measure/measured_view.h"
 #include "renderer/base/check.h"
 #include "renderer/base/error.h"

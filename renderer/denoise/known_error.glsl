@@ -4,11 +4,12 @@
 // Filtering by Use of Local Statistics"). Of the neighbours on the pixel's own surface it takes mean and
 // variance. One yes-or-no sample of the mean m has a variance of m (1 - m), and N that keep their distance
 // of N^-1.5 times that (Owen 1997, for jumps in two dimensions); what the neighbours vary more than that
-// is the image's own, and the pixel keeps as much of its own value. So the more samples there are, the
-// less is smoothed; from four on, a narrower surrounding is enough. Samples that repeat over a tile have
-// no error of chance: u_samples is 0, and all of it is smoothed. A neighbour is on the surface as far as
-// its depth follows the pixel's own plane, on which the reciprocal of depth is linear in the image, and
-// its normal the pixel's normal.
+// is the image's own, and the pixel keeps that share of its own value, the more cautiously the more
+// samples there are: the share itself, which is Lee's, blurs the edges of occlusion by more than it then
+// takes of the noise. So the more samples there are, the less is smoothed; from four on, a narrower
+// surrounding is enough. Samples that repeat over a tile have no error of chance: u_samples is 0, and all
+// of it is smoothed. A neighbour is on the surface as far as its depth follows the pixel's own plane, on
+// which the reciprocal of depth is linear in the image, and its normal the pixel's normal.
 // ACROSS is the first pass, which hands on mean and mean square along a row.
 #include "passes/normal_codec.glsl"
 #include "passes/shared_constants.h"
@@ -77,7 +78,9 @@ void main() {
     float variance = max(mean.y - mean.x * mean.x, 0.0);
     float count = float(max(u_samples, 1));
     float noise = mean.x * max(1.0 - mean.x, 0.0) / (count * sqrt(count));
-    float kept = max(variance - noise, 0.0) / max(variance, 1.0e-9);
+    float own_share = max(variance - noise, 0.0) / max(variance, 1.0e-9);
+    float caution = min(count / 24.0, 1.0);
+    float kept = own_share * (1.0 + caution * (1.0 - own_share));
     o_accessibility = mix(mean.x, own.w, kept);
 #endif
 }

@@ -101,7 +101,11 @@ Admitted mixed(const Moments& around, const Rounded& own, int samples) {
     const Rounded variance = max(around.square - around.mean * around.mean, zero);
     const Rounded count(std::max(samples, 1));
     const Rounded noise = around.mean * max(one - around.mean, zero) / (count * sqrt(count));
-    Rounded kept = max(variance - noise, zero) / max(variance, nearest_float(1.0e-9));
+    Rounded share = max(variance - noise, zero) / max(variance, nearest_float(1.0e-9));
+    share = between(std::clamp(share.value, 0.0, 1.0), std::clamp(share.low(), 0.0, 1.0),
+                    std::clamp(share.high(), 0.0, 1.0));
+    const Rounded caution(std::min(count.value / 24.0, 1.0));
+    Rounded kept = share * (one + caution * (one - share));
     kept = between(std::clamp(kept.value, 0.0, 1.0), std::clamp(kept.low(), 0.0, 1.0),
                    std::clamp(kept.high(), 0.0, 1.0));
     const Rounded value = around.mean * (one - kept) + own * kept;

@@ -22,6 +22,9 @@ constexpr int kSide = BlockSampler::kSide;
 /// How far off its surface a ray starts, as a share of the depth: what interpolation in floats over
 /// large triangles may leave of it.
 constexpr float kOffset = 3.0e-5F;
+/// The same as a share of the size of the triangle, which limits where floats can put a point of
+/// it.
+constexpr float kTriangleOffset = 4.0e-7F;
 /// How far before and behind the stored depth a pixel's face is looked for, as a share of it.
 constexpr float kProbe = 1.0e-3F;
 static_assert(kPacket == kSide * kSide);
@@ -144,11 +147,13 @@ class Tracer {
             glm::vec3 n = world_from_view_ * glm::vec3(stored[0], stored[1], stored[2]);
             const glm::vec3 face(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
             const float squared = glm::dot(face, face);
+            float offset_m = kOffset * (depth_m + glm::length(eye_m_));
             if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID && squared > 0.0F) {
                 depth_m = packet.ray.tfar[i];
                 n = face * ((glm::dot(face, ray) > 0.0F ? -1.0F : 1.0F) / std::sqrt(squared));
+                // Twice the triangle's area is as long as its normal.
+                offset_m = std::max(offset_m, kTriangleOffset * std::sqrt(std::sqrt(squared)));
             }
-            const float offset_m = kOffset * (depth_m + glm::length(eye_m_));
             block.starts[slot] = {eye_m_ + depth_m * ray + offset_m * n, frame_of(n)};
         }
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 
 namespace obscura::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 
 namespace obscura::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 
 namespace obscura::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 #include "app/measure/fit_settings.h"
 #include "app/measure/measure.h"
 #include "app/measure/timing.h"

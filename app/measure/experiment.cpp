@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "app/measure/experiments/run_experiment.h"
+#include "app/measure/run_experiment.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "app/measure/experiments/experiment.h"
+#include "app/measure/experiment.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
