@@ -289,9 +289,9 @@ double mixed_log_likelihood(const std::vector<MixedParticipants>& data,
                             const std::vector<double>& coefficients, double sd, int nodes) {
     check_data(data, coefficients.size());
     base::check_range("mixed_log_likelihood", "nodes", nodes, 1, 100);
-    VectorXd at(static_cast<Eigen::Index>(coefficients.size()) + 1);
-    std::copy(coefficients.begin(), coefficients.end(), at.data());
-    at(at.size() - 1) = sd;
+    const auto count = static_cast<Eigen::Index>(coefficients.size());
+    VectorXd at(count + 1);
+    at << Eigen::Map<const VectorXd>(coefficients.data(), count), sd;
     return MixedModel(data, coefficients.size(), nodes).value(at);
 }
 

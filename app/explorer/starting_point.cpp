@@ -31,15 +31,33 @@ void set_usual_pair(Choices& choices) {
     choices.b.denoise = renderer::standard_denoise(*first);
 }
 
+/// A pair of the study, without the study.
+[[nodiscard]] StartingPoint pair_shown(const OpenStudy& study, const std::string& condition_id,
+                                       const Choices& before) {
+    const stimuli::Condition& condition = *study.study.find_condition(condition_id);
+    StartingPoint start;
+    start.choices = before;
+    start.choices.scene = study.study.scene_of(condition);
+    start.choices.folder = study.study.folder;
+    start.choices.width = study.study.width;
+    start.choices.height = study.study.height;
+    start.choices.supersampling = study.study.supersampling;
+    start.choices.occluding_opacity = study.study.occluding_opacity;
+    start.choices.a = condition.a;
+    start.choices.b = condition.b;
+    start.choices.truth_radius_m.reset();
+    start.camera = start.choices.scene.camera;
+    start.own_camera = start.choices.scene.settings.camera;
+    return start;
+}
+
 /// The pair that the built-in study shows of a scene, if it does.
 [[nodiscard]] std::optional<StartingPoint> pair_of(const std::string& source,
                                                    const Choices& before) {
     const OpenStudy study = open_study(kFirstStudy);
     for (const stimuli::Condition& condition : study.study.conditions) {
         if (study.study.scene_of(condition).source != source) continue;
-        StartingPoint start = starting_point(study, condition.id, before);
-        start.study.reset();
-        return start;
+        return pair_shown(study, condition.id, before);
     }
     return std::nullopt;
 }
@@ -82,21 +100,8 @@ OpenStudy open_study(const std::string& file_or_name) {
 
 StartingPoint starting_point(const OpenStudy& study, const std::string& condition_id,
                              const Choices& before) {
-    const stimuli::Condition& condition = *study.study.find_condition(condition_id);
-    StartingPoint start;
+    StartingPoint start = pair_shown(study, condition_id, before);
     start.study = study;
-    start.choices = before;
-    start.choices.scene = study.study.scene_of(condition);
-    start.choices.folder = study.study.folder;
-    start.choices.width = study.study.width;
-    start.choices.height = study.study.height;
-    start.choices.supersampling = study.study.supersampling;
-    start.choices.occluding_opacity = study.study.occluding_opacity;
-    start.choices.a = condition.a;
-    start.choices.b = condition.b;
-    start.choices.truth_radius_m.reset();
-    start.camera = start.choices.scene.camera;
-    start.own_camera = start.choices.scene.settings.camera;
     return start;
 }
 
