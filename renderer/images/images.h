@@ -98,7 +98,7 @@ class Library {
 };
 
 /// The library, which lies in a file of its own beside the program and is loaded when it is first
-/// asked for: with all that it draws in, it takes ten times as long as the rest of the program
+/// asked for: with all that it draws in, it takes twenty times as long as the rest of the program
 /// takes to start. Throws failure naming the file that is missing or cannot be loaded.
 [[nodiscard]] const Library& library();
 
