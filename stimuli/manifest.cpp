@@ -209,7 +209,10 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
 }
 
 Manifest load_manifest(const std::filesystem::path& file) {
-    const std::string text = base::read_file(file);
+    return parse_manifest(base::read_file(file), file.string());
+}
+
+Manifest parse_manifest(const std::string& text, const std::string& name) {
     Manifest manifest;
     std::size_t index = 0;
     std::string_view list;
@@ -218,6 +221,7 @@ Manifest load_manifest(const std::filesystem::path& file) {
         json.at("study").get_to(manifest.study);
         json.at("seed").get_to(manifest.seed);
         json.at("gpu_renderer").get_to(manifest.gpu_renderer);
+        manifest.program = json.value("program", "");  // older manifests have none
         const Json& images = json.at("images");
         if (!images.is_array()) throw base::bad_input("images is no array");
         list = "images";
@@ -232,18 +236,15 @@ Manifest load_manifest(const std::filesystem::path& file) {
         }
     } catch (const std::exception& error) {  // of nlohmann-json, or bad input from above
         const std::string where = list.empty() ? "" : fmt::format("{}[{}]: ", list, index);
-        throw base::bad_input("{}: not a manifest of stimuli: {}{}", file.string(), where,
-                              error.what());
+        throw base::bad_input("{}: not a manifest of stimuli: {}{}", name, where, error.what());
     }
     return manifest;
 }
 
 void save_manifest(const std::filesystem::path& file, const Manifest& manifest) {
-    Json json = {{"study", manifest.study},
-                 {"seed", manifest.seed},
-                 {"gpu_renderer", manifest.gpu_renderer},
-                 {"images", Json::array()},
-                 {"pairs", Json::array()}};
+    Json json = {{"study", manifest.study},     {"seed", manifest.seed},
+                 {"program", manifest.program}, {"gpu_renderer", manifest.gpu_renderer},
+                 {"images", Json::array()},     {"pairs", Json::array()}};
     for (const ManifestImage& image : manifest.images) json["images"].push_back(to_json(image));
     for (const ManifestPair& pair : manifest.pairs) json["pairs"].push_back(to_json(pair));
     base::write_file_atomically(file, json.dump(2) + "\n");

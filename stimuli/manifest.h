@@ -75,6 +75,7 @@ struct Manifest {
     std::string gpu_renderer;
     std::vector<ManifestImage> images;
     std::vector<ManifestPair> pairs = {};  ///< of which both images were finished
+    std::string program = {};  ///< that wrote it, obscura 0.1.0; empty: of before it was noted
 
     /// The entry of that condition and side ("a" or "b"), or nullptr.
     [[nodiscard]] const ManifestImage* find(const std::string& condition,
@@ -83,6 +84,9 @@ struct Manifest {
 
 /// Reads manifest.json. Throws bad input naming the file and what is wrong in it.
 [[nodiscard]] Manifest load_manifest(const std::filesystem::path& file);
+
+/// The same of its text; `name` stands for it in messages.
+[[nodiscard]] Manifest parse_manifest(const std::string& text, const std::string& name);
 
 /// Writes it atomically, images ordered as given.
 void save_manifest(const std::filesystem::path& file, const Manifest& manifest);

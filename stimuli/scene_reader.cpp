@@ -237,6 +237,7 @@ StudyScene SceneReader::read(TableReader& reader, const std::string& id, Problem
     StudyScene scene;
     scene.id = id;
     read_source(reader, scene);
+    (void)reader.text("licence", Need::kOptional);  // what a package says of it (package/)
     read_settings(reader, scene.settings, problems);
     read_environment(reader, scene);
     const auto builtin = std::find_if(catalogue_.begin(), catalogue_.end(),

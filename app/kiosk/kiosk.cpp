@@ -17,6 +17,7 @@
 #include "app/kiosk/store_lock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
+#include "renderer/base/version.h"
 #include "stimuli/manifest.h"
 #include "stimuli/pairs.h"
 
@@ -60,7 +61,7 @@ class Kiosk {
     Kiosk(const stimuli::Study& study, const stimuli::Manifest& manifest, analysis::Store& store,
           Stage& stage)
         : study_(study), manifest_(manifest), store_(store), stage_(stage) {
-        machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
+        machine_ = {base::program_version(), operating_system(), stage.window.gpu_renderer(),
                     stage.window.display(), stage.window.refresh_hz()};
     }
 

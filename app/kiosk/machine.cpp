@@ -30,8 +30,6 @@ namespace {
 
 }  // namespace
 
-std::string software_version() { return fmt::format("obscura {}", OBSCURA_VERSION); }
-
 std::string operating_system() {
     utsname names{};
     ::uname(&names);

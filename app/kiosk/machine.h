@@ -6,9 +6,6 @@
 
 namespace obscura::app::kiosk {
 
-/// Name and version of this program.
-[[nodiscard]] std::string software_version();
-
 /// Distribution and kernel.
 [[nodiscard]] std::string operating_system();
 

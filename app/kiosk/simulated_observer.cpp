@@ -10,6 +10,7 @@
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
 #include "renderer/base/error.h"
+#include "renderer/base/version.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -97,7 +98,7 @@ void VirtualClock::pass_to_refresh(double earliest_s) {
 Moment VirtualClock::now() const { return {now_s_, utc_text(kBegin_s + now_s_)}; }
 
 Machine simulated_machine() {
-    return {software_version(), operating_system(), "none: simulated",
+    return {base::program_version(), operating_system(), "none: simulated",
             fmt::format("none: simulated, {} Hz", VirtualClock::kRefresh_hz),
             VirtualClock::kRefresh_hz};
 }
