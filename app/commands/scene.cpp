@@ -4,37 +4,61 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
+#include "app/commands/scene_argument.h"
 #include "app/commands/scene_views.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/export/gltf_export.h"
+#include "renderer/light/shadow.h"
 #include "stimuli/scenes/inspect.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct SceneOptions {
-    std::string scene;
+    SceneArgument scene;
     std::string out;
     std::string technique = "blizzard";
     std::string size = "1280x720";
-    double scale = 1.0;
+    bool all = false;
+    bool json = false;
 };
 
-stimuli::OpenedScene open(const SceneOptions& options) {
-    stimuli::SceneSettings settings;
-    settings.scale = options.scale;
-    return stimuli::open_scene(options.scene, settings);
+Json json_of(const stimuli::OpenedScene& scene) {
+    const renderer::Bounds bounds = renderer::bounds_of(*scene.scene);
+    const auto vector = [](const glm::vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
+    Json cameras = Json::array();
+    for (const renderer::Camera& camera : scene.scene->cameras) cameras.push_back(camera.name);
+    Json levels = Json::array();
+    for (const stimuli::Validity level : scene.levels) levels.push_back(to_string(level));
+    return {{"id", scene.id},
+            {"title", scene.title},
+            {"triangles", scene.scene->triangle_count()},
+            {"low_m", vector(bounds.low_m)},
+            {"high_m", vector(bounds.high_m)},
+            {"cameras", cameras},
+            {"levels", levels},
+            {"notes", stimuli::notes_on(scene)}};
 }
 
-base::ExitCode list_scenes() {
+base::ExitCode list_scenes(bool json) {
+    Json list = Json::array();
     for (const stimuli::BuiltinScene& scene : stimuli::builtin_scenes()) {
-        fmt::print("{}", stimuli::summary_of(stimuli::open_scene(scene.id)));
+        const stimuli::OpenedScene opened = stimuli::open_scene(scene.id);
+        if (json) {
+            list.push_back(json_of(opened));
+        } else {
+            fmt::print("{}", stimuli::summary_of(opened));
+        }
     }
+    if (json) fmt::print("{}\n", list.dump(2));
     return base::ExitCode::kDone;
 }
 
@@ -51,7 +75,15 @@ base::ExitCode inspect(const SceneOptions& options) {
     renderer::Variant choice = renderer::standard_variant(*technique);
     choice.denoise = renderer::standard_denoise(*technique);
     const auto [width, height] = parse_size(options.size);
-    fmt::print("{}", stimuli::inspection_of(open(options), choice, width, height));
+    const stimuli::OpenedScene scene = options.scene.open();
+    if (options.json) {
+        fmt::print("{}\n", json_of(scene).dump(2));
+    } else if (options.all) {
+        fmt::print("{}", stimuli::inspection_of(scene, choice, width, height));
+    } else {
+        fmt::print("{}All of it, and what an image of it allocates: --all\n",
+                   stimuli::overview_of(scene));
+    }
     return base::ExitCode::kDone;
 }
 
@@ -60,8 +92,8 @@ base::ExitCode export_scene(const SceneOptions& options) {
         throw base::bad_input("--out: \"{}\" does not end in .glb, which is what is written",
                               options.out);
     }
-    const stimuli::OpenedScene scene = open(options);
-    for (const std::string& note : scene.notes) base::log::warn("{}: {}", scene.title, note);
+    const stimuli::OpenedScene scene = options.scene.open();
+    say_notes(scene);
     // The lights of the richest level; glTF holds no environment.
     const renderer::Lighting lighting = scene.lighting(scene.levels.back());
     const std::string bytes = renderer::to_glb(*scene.scene, lighting);
@@ -88,33 +120,34 @@ base::ExitCode export_scene(const SceneOptions& options) {
     return base::ExitCode::kDone;
 }
 
-void add_scene_options(const Options& app, SceneOptions& options) {
-    app.add("SCENE", options.scene,
-            "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
-        .required();
-    app.add("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
-        .shows_default();
-}
-
 std::function<base::ExitCode()> attach_scene(const Options& app, const Globals&) {
     const auto options = std::make_shared<SceneOptions>();
     const auto chosen = std::make_shared<std::function<base::ExitCode()>>();
     app.require_command();
-    app.add_command("list", "The built-in scenes: triangles, cameras, levels, what each needs")
-        .when_given([chosen] { *chosen = list_scenes; });
+    const Options lister =
+        app.add_command("list", "The built-in scenes: triangles, cameras, levels, what each needs");
+    lister.add_flag("--json", options->json, "Print JSON");
+    lister.when_given(
+        [chosen, options] { *chosen = [options] { return list_scenes(options->json); }; });
 
     const Options inspector = app.add_command(
-        "inspect", "What a scene holds, what of it is not shown, and what each level allocates");
-    add_scene_options(inspector, *options);
+        "inspect", "How large a scene is, its cameras, and what of it is not shown");
+    add_scene(inspector, options->scene);
+    inspector.add_flag("--all", options->all,
+                       "Also materials, textures, lights, files, and what an image of each level "
+                       "allocates");
+    inspector.add_flag("--json", options->json, "Print JSON");
     inspector.add("--technique", options->technique, "Technique of the planned image")
         .shows_default();
-    inspector.add("--size", options->size, "Of the planned image, WxH in pixels").shows_default();
+    inspector.add("--size", options->size, "Of the planned image, in pixels")
+        .type("WxH")
+        .shows_default();
     inspector.when_given([chosen, options] { *chosen = [options] { return inspect(*options); }; });
 
     const Options exporter =
         app.add_command("export", "Write a scene with its cameras and lights as binary glTF 2.0");
-    add_scene_options(exporter, *options);
-    exporter.add("--out", options->out, "File to write, ends in .glb").required();
+    add_scene(exporter, options->scene);
+    exporter.add("--out", options->out, "File to write, ends in .glb").type("FILE").required();
     exporter.when_given(
         [chosen, options] { *chosen = [options] { return export_scene(*options); }; });
     attach_preview(app, chosen);

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/image_size.h"
+#include "app/commands/scene_argument.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/frame/renderer.h"
@@ -22,30 +22,25 @@
 namespace obscura::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ViewOptions {
-    std::string scene;
-    double scale = 1.0;
+    SceneArgument scene;
+    CameraArguments cameras;
     std::string out;
-    std::string camera;
-    std::string position;
-    std::string look_at;
-    double fov_deg = 45.0;
     std::string validity;
     std::string technique = "blizzard";
     std::string size = "1280x720";
     int count = 6;
+    bool json = false;
 };
 
 /// One opened scene on the GPU, of which images are made.
 class Painter {
   public:
     explicit Painter(const ViewOptions& options) {
-        stimuli::SceneSettings settings;
-        settings.scale = options.scale;
-        opened_ = stimuli::open_scene(options.scene, settings);
-        for (const std::string& note : opened_.notes) {
-            base::log::warn("{}: {}", opened_.title, note);
-        }
+        opened_ = options.scene.open();
+        say_notes(opened_);
         technique_ = renderer::find_technique(options.technique);
         if (technique_ == nullptr) {
             throw base::bad_input("--technique: there is no technique \"{}\"", options.technique);
@@ -97,58 +92,25 @@ void require_png(const std::string& file) {
     }
 }
 
-glm::vec3 point_of(const char* option, const std::string& text) {
-    glm::vec3 point;
-    char rest = '\0';
-    if (std::sscanf(text.c_str(), "%f,%f,%f%c", &point.x, &point.y, &point.z, &rest) != 3 ||
-        !std::isfinite(point.x + point.y + point.z)) {
-        throw base::bad_input("{}: \"{}\" is no point; allowed is X,Y,Z in metres", option, text);
-    }
-    return point;
-}
-
-/// What the options name; without any the scene's first own camera, or the best view of a file
-/// that has none.
-renderer::Camera camera_of(const ViewOptions& options, const stimuli::OpenedScene& opened) {
-    if (options.position.empty() != options.look_at.empty()) {
-        throw base::bad_input("--position and --look-at go together");
-    }
-    if (!options.position.empty()) {
-        if (!options.camera.empty()) {
-            throw base::bad_input("--camera names a camera, and --position describes another one");
-        }
-        if (!(options.fov_deg >= 1.0 && options.fov_deg <= 170.0)) {
-            throw base::bad_input("--fov: {} is not allowed; allowed is 1 to 170 degrees",
-                                  options.fov_deg);
-        }
-        renderer::Camera camera;
-        camera.position_m = point_of("--position", options.position);
-        camera.target_m = point_of("--look-at", options.look_at);
-        if (camera.position_m == camera.target_m) {
-            throw base::bad_input("--position and --look-at are the same point");
-        }
-        camera.vertical_fov_rad =
-            static_cast<float>(options.fov_deg) * std::numbers::pi_v<float> / 180.0F;
-        camera.far_m = 1000.0F;
-        return camera;
-    }
-    const bool has_own = opened.builtin || opened.scene->cameras.size() > 1 ||
-                         opened.scene->cameras.front().name != "overview";
-    if (!options.camera.empty() || has_own) return opened.camera(options.camera);
-    return stimuli::find_views(*opened.scene, 1).front().camera;
-}
-
 base::ExitCode preview(const ViewOptions& options) {
     require_png(options.out);
     const ImageSize size = parse_size(options.size);
     Painter painter(options);
-    const renderer::Camera camera = camera_of(options, painter.opened());
+    const std::vector<renderer::Camera> named = cameras_of(options.cameras, painter.opened());
+    if (named.size() > 1) {
+        throw base::bad_input("--camera: one is shown, {} are named; scene cameras shows several",
+                              named.size());
+    }
+    const renderer::Camera& camera = named.front();
     base::write_file_atomically(
         options.out, stimuli::encode_png(painter.paint(camera, size.width, size.height)));
     base::log::info("{}: {}x{}, {} within {:g} m", options.out, size.width, size.height,
                     options.technique, stimuli::fitting_radius_m(camera));
-    fmt::print("{}\n", camera.name.empty() ? stimuli::study_line(camera)
-                                           : fmt::format("camera = \"{}\"", camera.name));
+    if (options.json) {
+        fmt::print("{}\n", Json{{"file", options.out}, {"line", line_of(camera)}}.dump());
+    } else {
+        fmt::print("{}\n", line_of(camera));
+    }
     return base::ExitCode::kDone;
 }
 
@@ -176,24 +138,46 @@ stimuli::RgbImage sheet_of(const std::vector<stimuli::RgbImage>& images) {
     return sheet;
 }
 
-base::ExitCode cameras(const ViewOptions& options) {
-    if (!options.out.empty()) require_png(options.out);
-    Painter painter(options);
-    const std::vector<stimuli::FoundView> views =
-        stimuli::find_views(*painter.opened().scene, options.count);
-    std::vector<stimuli::RgbImage> images;
+void print_lines(const std::vector<stimuli::FoundView>& views,
+                 const std::vector<renderer::Camera>& own) {
     int number = 0;
     for (const stimuli::FoundView& view : views) {
         fmt::print(
             "# {}: surfaces in {:.0f} % of the image, {:.0f} % of the light around them kept "
             "off, varying by {:.0f} %\n{}\n",
             ++number, 100.0 * view.seen, 100.0 * view.occluded, 100.0 * view.spread,
-            stimuli::study_line(view.camera));
+            line_of(view.camera));
+    }
+    for (const renderer::Camera& camera : own) {
+        fmt::print("# the scene's own\n{}\n", line_of(camera));
+    }
+}
+
+void print_json(const std::vector<stimuli::FoundView>& views,
+                const std::vector<renderer::Camera>& own) {
+    Json found = Json::array();
+    for (const stimuli::FoundView& view : views) {
+        found.push_back({{"line", line_of(view.camera)},
+                         {"seen", view.seen},
+                         {"occluded", view.occluded},
+                         {"spread", view.spread}});
+    }
+    Json names = Json::array();
+    for (const renderer::Camera& camera : own) names.push_back(camera.name);
+    fmt::print("{}\n", Json{{"found", found}, {"own", names}}.dump(2));
+}
+
+base::ExitCode cameras(const ViewOptions& options) {
+    if (!options.out.empty()) require_png(options.out);
+    Painter painter(options);
+    const std::vector<stimuli::FoundView> views =
+        stimuli::find_views(*painter.opened().scene, options.count);
+    std::vector<stimuli::RgbImage> images;
+    for (const stimuli::FoundView& view : views) {
         if (!options.out.empty()) images.push_back(painter.paint(view.camera, 480, 270));
     }
-    for (const renderer::Camera& own : painter.opened().scene->cameras) {
-        fmt::print("# the scene's own\ncamera = \"{}\"\n", own.name);
-    }
+    const std::vector<renderer::Camera>& own = painter.opened().scene->cameras;
+    options.json ? print_json(views, own) : print_lines(views, own);
     if (!images.empty()) {
         base::write_file_atomically(options.out, stimuli::encode_png(sheet_of(images)));
         base::log::info("{}: the {} views that were found, from left to right, three in a row",
@@ -203,13 +187,11 @@ base::ExitCode cameras(const ViewOptions& options) {
 }
 
 void add_view_options(const Options& app, ViewOptions& options) {
-    app.add("SCENE", options.scene,
-            "Built-in scene by its id, or a file that ends in .gltf, .glb or .obj")
-        .required();
-    app.add("--scale", options.scale, "Metres of one unit of the file (1e-6 to 1e6)")
-        .shows_default();
+    add_scene(app, options.scene);
     app.add("--validity", options.validity,
-            "Level of light (default: moderate, else the scene's first)");
+            "Level of light (default: moderate, else the scene's first)")
+        .type("LEVEL");
+    app.add_flag("--json", options.json, "Print JSON");
     app.add("--technique", options.technique, "Technique of the images").shows_default();
 }
 
@@ -221,7 +203,8 @@ void attach_cameras(const Options& scene, const ChosenAct& chosen) {
         "cameras", "Find good views of a scene, as lines for a study file and as a contact sheet");
     add_view_options(app, *options);
     app.add("--count", options->count, "How many views").between(1, 12).shows_default();
-    app.add("--out", options->out, "Contact sheet to write, ends in .png (default: none)");
+    app.add("--out", options->out, "Contact sheet to write, ends in .png (default: none)")
+        .type("FILE");
     app.when_given([chosen, options] { *chosen = [options] { return cameras(*options); }; });
 }
 
@@ -230,14 +213,9 @@ void attach_preview(const Options& scene, const ChosenAct& chosen) {
     const Options app = scene.add_command(
         "preview", "One image of a scene, and its camera's line for a study file");
     add_view_options(app, *options);
-    app.add("--camera", options->camera,
-            "Camera by its name (default: the first; the best view of a file without any)");
-    app.add("--position", options->position, "Of a camera of your own: X,Y,Z in metres");
-    app.add("--look-at", options->look_at, "What it looks at: X,Y,Z in metres");
-    app.add("--fov", options->fov_deg, "Its vertical field of view in degrees (1 to 170)")
-        .shows_default();
-    app.add("--size", options->size, "WxH in pixels").shows_default();
-    app.add("--out", options->out, "Image to write, ends in .png").required();
+    add_cameras(app, options->cameras);
+    app.add("--size", options->size, "Of the image, in pixels").type("WxH").shows_default();
+    app.add("--out", options->out, "Image to write, ends in .png").type("FILE").required();
     app.when_given([chosen, options] { *chosen = [options] { return preview(*options); }; });
 }
 

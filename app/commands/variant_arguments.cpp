@@ -18,16 +18,19 @@ bool has_an_option_of_its_own(const std::string& key) {
 }  // namespace
 
 void add_variant_options(const Options& app, VariantArguments& arguments) {
-    app.add("--technique", arguments.technique, "See below");
     app.add("--samples", arguments.samples, "Samples, or rays, a pixel (default: the technique's)");
     app.add("--set", arguments.settings,
-            "KEY=NUMBER: a parameter; KEY=WORD: what every technique has; see below. Several with "
-            "commas or blanks between, or --set again")
+            "A parameter, or an option that every technique has; see below. Several with commas or "
+            "blanks between, or --set again")
+        .type("KEY=VALUE")
         .comma_separated();
+    app.add("--radius", arguments.radius_m,
+            "Metres: how far a technique that has a radius looks (default: the technique's)");
     app.add("--preset", arguments.preset,
             "Values of the parameters that are not set: published, or fitted to the truth")
+        .one_of(renderer::preset_names())
         .shows_default();
-    app.add("--denoise", arguments.denoise, "Filter").shows_default();
+    app.add("--denoise", arguments.denoise, "Filter of the buffer, see below").shows_default();
 }
 
 renderer::Variant variant_from(const VariantArguments& arguments) {
@@ -44,6 +47,11 @@ renderer::Variant variant_from(const VariantArguments& arguments) {
             throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
         }
         if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
+    }
+    const renderer::Technique* const found = renderer::find_technique(arguments.technique);
+    const bool has_radius = found != nullptr && found->find_parameter("radius_m") != nullptr;
+    if (arguments.radius_m && has_radius) {
+        variant.parameters.emplace("radius_m", *arguments.radius_m);
     }
     std::string all = renderer::apply_preset(arguments.preset, variant);
     if (!all.empty()) all = "--preset: " + all;

@@ -18,9 +18,10 @@ struct VariantArguments {
     std::vector<std::string> settings;  ///< KEY=VALUE of parameters and options
     std::string denoise = "none";
     std::string preset = "published";
+    std::optional<double> radius_m;  ///< of the technique, where it has one; --set radius_m wins
 };
 
-/// --technique, --samples, --set, --preset and --denoise.
+/// --samples, --set, --radius, --preset and --denoise; the technique is the command's own.
 void add_variant_options(const Options& app, VariantArguments& arguments);
 
 /// Throws bad input naming every option that is wrong, with its value and what is allowed.

@@ -188,6 +188,34 @@ std::string summary_of(const OpenedScene& scene) {
         fmt::join(names_of_levels(scene), ", "), fmt::join(asked_of_renderer(*scene.scene), ", "));
 }
 
+std::vector<std::string> notes_on(const OpenedScene& scene) {
+    std::vector<std::string> notes = scene.notes;
+    if (const std::string backs = note_on_backs(scene, scene.scene->cameras); !backs.empty()) {
+        notes.push_back(backs);
+    }
+    return notes;
+}
+
+std::string overview_of(const OpenedScene& scene) {
+    const Scene& content = *scene.scene;
+    const renderer::Bounds bounds = renderer::bounds_of(content);
+    const glm::vec3 size = bounds.high_m - bounds.low_m;
+    std::string text = fmt::format(
+        "{}: {}\nsize: {:.3g} x {:.3g} x {:.3g} m, from {} to {} m\ncameras:\n", scene.id,
+        scene.title, size.x, size.y, size.z, vector_text(bounds.low_m), vector_text(bounds.high_m));
+    for (const renderer::Camera& camera : content.cameras) {
+        const std::string line = fmt::format("camera = \"{}\"", camera.name);
+        text += fmt::format("  {:24} # at {} m, to {} m\n", line, vector_text(camera.position_m),
+                            vector_text(camera.target_m));
+    }
+    text += fmt::format("levels: {}\ntriangles: {}\n", fmt::join(names_of_levels(scene), ", "),
+                        content.triangle_count());
+    const std::vector<std::string> notes = notes_on(scene);
+    text += fmt::format("notes: {}\n", notes.empty() ? "none" : "");
+    for (const std::string& note : notes) text += fmt::format("  {}\n", note);
+    return text;
+}
+
 std::string inspection_of(const OpenedScene& scene, const renderer::Variant& choice, int width,
                           int height) {
     const Scene& content = *scene.scene;
@@ -200,10 +228,7 @@ std::string inspection_of(const OpenedScene& scene, const renderer::Variant& cho
     text += fmt::format("bounds: {} to {} m, which is {} m\n", vector_text(bounds.low_m),
                         vector_text(bounds.high_m), vector_text(bounds.high_m - bounds.low_m));
     text += surfaces_text(content) + cameras_text(content);
-    std::vector<std::string> notes = scene.notes;
-    if (const std::string backs = note_on_backs(scene, content.cameras); !backs.empty()) {
-        notes.push_back(backs);
-    }
+    const std::vector<std::string> notes = notes_on(scene);
     text += fmt::format("notes: {}\n", notes.empty() ? "none" : "");
     for (const std::string& note : notes) text += fmt::format("  {}\n", note);
     if (!scene.files.empty()) text += fmt::format("files: {}\n", scene.files.size());

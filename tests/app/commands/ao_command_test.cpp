@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "renderer/reference/exr.h"
 #include "tests/app/commands/run_program.h"
@@ -46,6 +47,62 @@ TEST(AoCommand, WritesATechniquesBuffer) {
     EXPECT_EQ(image.find("ao.stderr"), nullptr);
     EXPECT_EQ(image.texts.at("obscura:denoise"), "box4");
     EXPECT_EQ(image.texts.at("obscura:samples"), "24");
+}
+
+TEST(AoCommand, HoldsSeveralTechniquesAndCamerasAgainstTheTruthOverSurfacesAlone) {
+    const tests::TemporaryFolder folder;
+    base::write_file_atomically(folder / "step.obj",
+                                "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
+                                "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
+    const std::string view =
+        "ao --scene step.obj --position 2,1.5,3 --look-at 2,0,-2 --size 48x27 --radius 0.5 ";
+    const ProgramRun run =
+        run_program(folder, view +
+                                "--technique none,blizzard,reference --samples 8 "
+                                "--against reference --rays 8 --out out --json");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto rows = nlohmann::json::parse(run.out);
+    ASSERT_EQ(rows.size(), 3U);
+    const auto rmse = [&](int row) { return rows[row]["surfaces"]["rmse"].get<double>(); };
+    EXPECT_EQ(rmse(2), 0.0) << "the truth against itself";
+    EXPECT_GT(rmse(0), rmse(1)) << "nothing is worse than something";
+    EXPECT_GT(rows[0]["surfaces"]["bias"].get<double>(), 0.0) << "no occlusion is too light";
+    EXPECT_LT(rows[0]["surfaces"]["pixels"].get<int>(), 48 * 27) << "empty pixels do not count";
+    EXPECT_LT(rows[0]["inside"]["pixels"].get<int>(), rows[0]["surfaces"]["pixels"].get<int>());
+    for (const auto& file : rows[1]["files"]) {
+        EXPECT_TRUE(std::filesystem::exists(folder / file.get<std::string>())) << file;
+    }
+    const FloatImage difference = renderer::decode_exr(
+        base::read_file(folder / rows[0]["files"][1].get<std::string>()), "difference");
+    ASSERT_NE(difference.find("difference.Y"), nullptr);
+}
+
+TEST(AoCommand, TakesAFileAsTheTruthOfTheSameViewAndOfNoOther) {
+    const tests::TemporaryFolder folder;
+    const std::string relic = "ao --scene relic --size 32x18 ";
+    ASSERT_EQ(run_program(folder, relic + "--technique reference --samples 4 --radius 0.12 "
+                                          "--out truth.exr")
+                  .exit_code,
+              0);
+    const ProgramRun same = run_program(
+        folder, relic + "--technique reference --samples 4 --radius 0.12 --against truth.exr");
+    EXPECT_EQ(same.exit_code, 0) << same.err;
+    EXPECT_THAT(same.out, HasSubstr("0.0000"));
+    const ProgramRun radius =
+        run_program(folder, relic + "--technique blizzard --radius 0.2 --against truth.exr");
+    EXPECT_THAT(radius.out, HasSubstr("truth.exr is of the radius 0.12 m, the buffer of 0.2 m"));
+    for (const auto& [words, names] :
+         {std::pair{"--scene relic --size 16x9", "32x18"},
+          {"--scene relic --size 32x18 --position 1,1,1 --look-at 0,0,0", "camera"},
+          {"--scene machine --size 32x18", "scene"}}) {
+        const ProgramRun run =
+            run_program(folder, std::string("ao --technique none --against truth.exr ") + words);
+        EXPECT_EQ(run.exit_code, 2) << words;
+        EXPECT_THAT(run.err, HasSubstr(names)) << words;
+    }
+    base::write_file_atomically(folder / "no.exr", "no image");
+    EXPECT_EQ(run_program(folder, relic + "--technique none --against no.exr").exit_code, 2);
+    EXPECT_EQ(run_program(folder, relic + "--technique none,blizzard --out both.exr").exit_code, 2);
 }
 
 TEST(AoCommand, RefusesBadInputBeforeAnyWorkAndNamesIt) {

@@ -16,7 +16,7 @@ constexpr std::string_view kTriangle =
 TEST(SceneCommand, InspectSaysWhatAFileHoldsNeedsAndLacks) {
     const tests::TemporaryFolder folder;
     base::write_file_atomically(folder / "triangle.obj", kTriangle);
-    const ProgramRun run = run_program(folder, "scene inspect triangle.obj --size 320x200");
+    const ProgramRun run = run_program(folder, "scene inspect --all triangle.obj --size 320x200");
     EXPECT_EQ(run.exit_code, 0) << run.err;
     for (const char* what :
          {"triangles: 1 in 1 meshes", "overview: at", "none.mtl: the file is missing", "red",
@@ -30,7 +30,7 @@ TEST(SceneCommand, ExportWritesAFileThatInspectReads) {
     base::write_file_atomically(folder / "triangle.obj", kTriangle);
     const ProgramRun made = run_program(folder, "scene export triangle.obj --out made.glb");
     ASSERT_EQ(made.exit_code, 0) << made.err;
-    const ProgramRun read = run_program(folder, "scene inspect made.glb");
+    const ProgramRun read = run_program(folder, "scene inspect --all made.glb");
     EXPECT_EQ(read.exit_code, 0) << read.err;
     EXPECT_THAT(read.out, HasSubstr("triangles: 1 in 1 meshes"));
     EXPECT_THAT(read.out, HasSubstr("overview: at"));
@@ -46,8 +46,9 @@ TEST(SceneCommand, FilesOutsideTheScenesFolderAreReadOnlyWhereAllowed) {
     const ProgramRun closed = run_program(folder, "scene inspect scene/triangle.obj");
     EXPECT_EQ(closed.exit_code, 0) << closed.err;
     EXPECT_THAT(closed.out, HasSubstr("--allow FOLDER"));
-    for (const char* arguments : {"--allow more scene inspect scene/triangle.obj",
-                                  "scene inspect --allow scene --allow more scene/triangle.obj"}) {
+    for (const char* arguments :
+         {"--allow more scene inspect --all scene/triangle.obj",
+          "scene inspect --all --allow scene --allow more scene/triangle.obj"}) {
         const ProgramRun open = run_program(folder, arguments);
         EXPECT_EQ(open.exit_code, 0) << open.err;
         EXPECT_THAT(open.out, HasSubstr("red: albedo 1 0 0")) << arguments;
