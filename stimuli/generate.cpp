@@ -6,15 +6,16 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
-#include <tuple>
 
 #include "renderer/base/check.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/log.h"
+#include "renderer/base/own_folder.h"
 #include "renderer/base/progress.h"
-#include "renderer/frame/explain.h"
+#include "renderer/base/version.h"
 #include "renderer/gl/context.h"
 #include "stimuli/pairs.h"
 #include "stimuli/png.h"
@@ -24,41 +25,6 @@ namespace obscura::stimuli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The selected images, those of one scene together so that it is built once, and of those the ones
-/// of one view, so that their surfaces and light are made once.
-std::vector<Stimulus> select(const Study& study, const Selection& selection) {
-    base::check_range("--shard", "N", selection.shards, 1, 1000000);
-    base::check_range("--shard", "K", selection.shard, 1, selection.shards);
-    if (!selection.pair.empty() && study.find_condition(selection.pair) == nullptr) {
-        std::string known;
-        for (const Condition& condition : study.conditions) {
-            known += (known.empty() ? "" : ", ") + condition.id;
-        }
-        throw base::bad_input("--pair: study {} has no condition \"{}\"; it has {}", study.name,
-                              selection.pair, known);
-    }
-    std::vector<Stimulus> wanted;
-    for (const Stimulus& stimulus : stimuli_of(study)) {
-        if (selection.pair.empty() || stimulus.condition->id == selection.pair) {
-            wanted.push_back(stimulus);
-        }
-    }
-    std::stable_sort(wanted.begin(), wanted.end(), [&study](const auto& left, const auto& right) {
-        const StudyScene& a = study.scene_of(*left.condition);
-        const StudyScene& b = study.scene_of(*right.condition);
-        return std::tie(a.source, a.settings.scale, a.id) <
-               std::tie(b.source, b.settings.scale, b.id);
-    });
-    // Neighbouring images go to the same part, so that few parts need the same scene.
-    const std::size_t count = wanted.size();
-    const auto shards = static_cast<std::size_t>(selection.shards);
-    const auto shard = static_cast<std::size_t>(selection.shard);
-    const std::size_t first = count * (shard - 1) / shards;
-    const std::size_t last = count * shard / shards;
-    return {wanted.begin() + static_cast<std::ptrdiff_t>(first),
-            wanted.begin() + static_cast<std::ptrdiff_t>(last)};
-}
 
 /// manifest.json, or the list of a part, manifest-K-of-N.json; nothing else that may lie there.
 bool is_part_manifest(std::string_view name) {
@@ -118,11 +84,20 @@ FinishedImages finished_images(const Study& study, const StimulusRenderer& rende
     return finished;
 }
 
-/// Throws bad input where the folder holds the images of a study of another name: their list would
-/// be lost.
+/// Throws bad input where the folder holds the images of a study of another name, whose list would
+/// be lost, or files that are no study's.
 void refuse_another_study(const Study& study, const fs::path& folder) {
     const fs::path file = folder / "manifest.json";
-    if (!fs::exists(file)) return;
+    if (!fs::exists(file)) {
+        std::set<std::string> own;
+        for (const Stimulus& stimulus : stimuli_of(study)) {
+            own.insert(stimulus.file());
+            own.insert(fs::path(stimulus.file()).replace_extension(".exr").string());
+        }
+        return base::require_own_folder(folder, "--out", [&](const std::string& name) {
+            return own.contains(name) || is_part_manifest(name);
+        });
+    }
     std::string other;
     try {
         other = load_manifest(file).study;
@@ -139,7 +114,8 @@ void refuse_another_study(const Study& study, const fs::path& folder) {
 
 /// The finished images in the study's order.
 Manifest manifest_of(const Study& study, const FinishedImages& finished) {
-    Manifest manifest{study.name, study.seed, renderer::gpu_renderer(), {}, {}};
+    Manifest manifest{study.name, study.seed, renderer::gpu_renderer(),
+                      {},         {},         base::program_version()};
     for (const Stimulus& stimulus : stimuli_of(study)) {
         const auto found = finished.find(stimulus.file());
         if (found != finished.end()) manifest.images.push_back(found->second.image);
@@ -173,15 +149,6 @@ std::vector<ManifestPair> known_pairs(const fs::path& folder) {
     }
 }
 
-/// The warnings that concern the selected pairs.
-std::vector<std::string> warnings_of_selected(const Study& study, const Selection& selection,
-                                              std::vector<ManifestPair> pairs) {
-    std::erase_if(pairs, [&](const ManifestPair& pair) {
-        return !selection.pair.empty() && pair.condition != selection.pair;
-    });
-    return warnings_of(study, pairs);
-}
-
 /// The lists of parts, which manifest.json replaces once it lists everything.
 void remove_part_manifests(const fs::path& folder) {
     std::vector<fs::path> parts;
@@ -191,6 +158,36 @@ void remove_part_manifests(const fs::path& folder) {
     }
     std::error_code ignored;
     for (const fs::path& part : parts) fs::remove(part, ignored);
+}
+
+/// An image that is finished already, wherever: another one of the same inputs is not rendered.
+struct Twin {
+    fs::path file;
+    ManifestImage image;
+};
+using Twins = std::map<std::string, Twin>;  ///< by the hash of their inputs
+
+void add_twins(const FinishedImages& finished, const fs::path& folder, Twins& twins) {
+    for (const auto& [file, one] : finished) {
+        if (one.current) twins.try_emplace(one.image.inputs_sha256, Twin{folder / file, one.image});
+    }
+}
+
+/// What the manifest says of an image that is the copy of another.
+ManifestImage as_copy(const Study& study, const Stimulus& stimulus, ManifestImage image) {
+    image.file = stimulus.file();
+    image.condition = stimulus.condition->id;
+    image.side = std::string(1, stimulus.side);
+    image.scene = study.scene_of(*stimulus.condition).id;
+    return image;
+}
+
+/// The pairs that were selected.
+std::vector<ManifestPair> of_selected(const Selection& selection, std::vector<ManifestPair> pairs) {
+    std::erase_if(pairs, [&](const ManifestPair& pair) {
+        return !selection.pair.empty() && pair.condition != selection.pair;
+    });
+    return pairs;
 }
 
 std::string title_of(const Stimulus& stimulus) {
@@ -205,41 +202,45 @@ bool is_of_one_colour(const RgbImage& image) {
     return true;
 }
 
-/// The passes, buffers and omissions of one image.
-std::string explanation_of(const Study& study, const Stimulus& stimulus,
-                           const renderer::Frame& frame) {
-    const renderer::FramePlan& plan = frame.plan();
-    const StudyScene& scene = study.scene_of(*stimulus.condition);
-    return fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n{}", stimulus.file(),
-                       stimulus.choice().variant_name(), scene.source, to_string(scene.validity),
-                       scene.camera, plan.image_width, plan.image_height,
-                       renderer::explanation_of(frame));
-}
-
-/// A line of the table of what leaving out saves.
-std::string savings_of(const Stimulus& stimulus, const renderer::Frame& planned,
-                       const renderer::Frame& everything) {
-    constexpr double kMega = 1e6;
-    return fmt::format("{:14} {:10.1f} {:10.1f} {:10.1f} {:10.1f}\n", stimulus.file(),
-                       planned.milliseconds(), everything.milliseconds(),
-                       static_cast<double>(planned.plan().bytes()) / kMega,
-                       static_cast<double>(everything.plan().bytes()) / kMega);
+/// Whether it is another driver that rendered it otherwise, or another image, and how far apart.
+std::string difference_in_words(const fs::path& file, const std::string& stored_bytes,
+                                const RgbImage& again, const Manifest& manifest) {
+    const ImageDifference difference =
+        difference_of(decode_png(stored_bytes, file.string()), again);
+    const std::string now = renderer::gpu_renderer();
+    const std::string why =
+        manifest.gpu_renderer == now
+            ? fmt::format("made on this GPU by {}: the program or its driver has changed",
+                          manifest.program.empty() ? "another version" : manifest.program)
+            : fmt::format("made on another GPU, \"{}\", this one is \"{}\"", manifest.gpu_renderer,
+                          now);
+    return fmt::format(
+        "{}: rendered again {:.3g} % of its pixels differ, {:.3g} % visibly, the most by {:.3g} in "
+        "CIELAB; {}",
+        file.string(), 100.0 * difference.differing, 100.0 * difference.over_threshold,
+        difference.largest_delta_e, why);
 }
 
 }  // namespace
 
 Generated generate(const Study& study, const Selection& selection, const fs::path& folder,
                    bool quiet, const std::vector<BuiltinScene>& catalogue) {
-    const std::vector<Stimulus> wanted = select(study, selection);
+    const std::vector<Stimulus> wanted = selected(study, selection);
     base::require_writable_folder(folder, "--out");
     refuse_another_study(study, folder);
     const renderer::HeadlessContext context;
+    fs::create_directories(folder);
     StimulusRenderer renderer(study, catalogue);
     FinishedImages finished = finished_images(study, renderer, folder);
     const fs::path list =
         folder / (selection.shards == 1
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
+    Twins twins;
+    add_twins(finished, folder, twins);
+    if (fs::is_directory(selection.known)) {
+        add_twins(finished_images(study, renderer, selection.known), selection.known, twins);
+    }
     Generated generated;
     PairsInTheMaking made;
     base::Progress progress("render", wanted.size(), quiet);
@@ -253,21 +254,33 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             progress.step(stimulus.file() + " (kept)");
             continue;
         }
-        const renderer::Frame frame = renderer.render_next(stimulus);
-        RgbImage image = image_of(frame);
+        ManifestImage entry;
+        RgbImage image;
+        std::string bytes;
+        const auto twin = twins.find(renderer.inputs_sha256(stimulus));
+        if (twin != twins.end()) {
+            bytes = base::read_file(twin->second.file);
+            image = decode_png(bytes, twin->second.file.string());
+            entry = as_copy(study, stimulus, twin->second.image);
+            ++generated.copied;
+        } else {
+            const renderer::Frame frame = renderer.render_next(stimulus);
+            image = image_of(frame);
+            bytes = encode_png(image);
+            entry = renderer.describe(stimulus, frame);
+            entry.sha256 = base::sha256_hex(bytes);
+            entry.mean_luminance = mean_luminance(image);
+        }
         if (is_of_one_colour(image)) {
             base::log::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
-        const std::string bytes = encode_png(image);
-        ManifestImage entry = renderer.describe(stimulus, frame);
-        entry.sha256 = base::sha256_hex(bytes);
-        entry.mean_luminance = mean_luminance(image);
         base::write_file_atomically(folder / entry.file, bytes);
         made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
+        twins.try_emplace(entry.inputs_sha256, Twin{folder / entry.file, entry});
         save_manifest(list, manifest_of(study, finished));
         ++generated.made;
-        progress.step(title_of(stimulus));
+        progress.step(twin != twins.end() ? stimulus.file() + " (copied)" : title_of(stimulus));
     }
     // Other parts may have finished meanwhile.
     finished = finished_images(study, renderer, folder);
@@ -280,7 +293,8 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     manifest.pairs = known;
     manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
-    generated.warnings = warnings_of_selected(study, selection, manifest.pairs);
+    generated.pairs = of_selected(selection, manifest.pairs);
+    generated.warnings = warnings_of(study, generated.pairs);
     const bool up_to_date = generated.made == 0 && known == manifest.pairs &&
                             problems_of_stimuli(study, folder).empty();
     if (!up_to_date && (generated.complete || selection.shards == 1)) {
@@ -292,7 +306,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
 
 Verified verify(const Study& study, const Selection& selection, const fs::path& folder, bool quiet,
                 const std::vector<BuiltinScene>& catalogue) {
-    const std::vector<Stimulus> wanted = select(study, selection);
+    const std::vector<Stimulus> wanted = selected(study, selection);
     const Manifest manifest = load_manifest(folder / "manifest.json");
     const renderer::HeadlessContext context;
     StimulusRenderer renderer(study, catalogue);
@@ -313,9 +327,10 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
         } else if (!fs::is_regular_file(file)) {
             problems.push_back(fmt::format("{}: the file is missing", file.string()));
         } else {
-            const std::string stored = base::sha256_hex(base::read_file(file));
-            const std::string made =
-                base::sha256_hex(encode_png(image_of(renderer.render(stimulus))));
+            const std::string stored_bytes = base::read_file(file);
+            const std::string stored = base::sha256_hex(stored_bytes);
+            const RgbImage again = image_of(renderer.render(stimulus));
+            const std::string made = base::sha256_hex(encode_png(again));
             if (!shows_what_is_asked(study, *entry)) {
                 problems.push_back(fmt::format(
                     "{}: the manifest's entry is not of what the study asks for", file.string()));
@@ -324,40 +339,15 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
                     fmt::format("{}: its SHA-256 is {}, the manifest has {}: the file was changed",
                                 file.string(), stored, entry->sha256));
             } else if (made != stored) {
-                problems.push_back(fmt::format(
-                    "{}: rendered again its SHA-256 is {}, the file has {} (made on \"{}\", now on "
-                    "\"{}\")",
-                    file.string(), made, stored, manifest.gpu_renderer, renderer::gpu_renderer()));
+                problems.push_back(difference_in_words(file, stored_bytes, again, manifest));
             }
         }
         ++verified.checked;
         progress.step(title_of(stimulus));
     }
-    verified.warnings = warnings_of_selected(study, selection,
-                                             pairs_with_reasons(study, manifest, folder, renderer));
+    verified.warnings = warnings_of(
+        study, of_selected(selection, pairs_with_reasons(study, manifest, folder, renderer)));
     return verified;
-}
-
-std::string explain(const Study& study, const Selection& selection, bool quiet,
-                    const std::vector<BuiltinScene>& catalogue) {
-    const std::vector<Stimulus> wanted = select(study, selection);
-    const renderer::HeadlessContext context;
-    StimulusRenderer renderer(study, catalogue);
-    std::string text = fmt::format("{}\n", renderer::gpu_description());
-    std::string savings =
-        fmt::format("\n{:14} {:>10} {:>10} {:>10} {:>10}\n", "", "ms", "ms, all", "MB", "MB, all");
-    base::Progress progress("explain", wanted.size(), quiet);
-    for (const Stimulus& stimulus : wanted) {
-        for (int warm_up = 0; warm_up < 3; ++warm_up) {
-            (void)renderer.render(stimulus);
-            (void)renderer.render_everything(stimulus);
-        }
-        const renderer::Frame frame = renderer.render(stimulus);
-        text += explanation_of(study, stimulus, frame);
-        savings += savings_of(stimulus, frame, renderer.render_everything(stimulus));
-        progress.step(title_of(stimulus));
-    }
-    return text + savings;
 }
 
 }  // namespace obscura::stimuli

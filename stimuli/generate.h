@@ -8,24 +8,19 @@
 
 #include "stimuli/manifest.h"
 #include "stimuli/scenes/builtin_scene.h"
+#include "stimuli/selection.h"
 #include "stimuli/study.h"
 
 namespace obscura::stimuli {
 
-/// Which images of a study to make.
-struct Selection {
-    std::string pair;  ///< id of one condition; empty: all
-    int shard = 1;     ///< this one of `shards` parts, from 1
-    int shards = 1;
-    bool buffers = false;  ///< also CONDITION-a.exr, the buffers behind each image
-};
-
 /// What a run of generate() did.
 struct Generated {
     int made = 0;
+    int copied = 0;         ///< of those, the same as another one and not rendered again
     int kept = 0;           ///< were there already, from the same inputs
     bool complete = false;  ///< every image of the study is there, and manifest.json lists them all
     std::vector<std::string> warnings;  ///< of pairs that are alike (pairs.h), a sentence each
+    std::vector<ManifestPair> pairs;    ///< the selected ones, of which both images are finished
 };
 
 /// Makes the selected images in `folder`, without a display. Each file is written beside and
@@ -50,11 +45,5 @@ struct Verified {
 [[nodiscard]] Verified verify(const Study& study, const Selection& selection,
                               const std::filesystem::path& folder, bool quiet,
                               const std::vector<BuiltinScene>& catalogue = builtin_scenes());
-
-/// Renders the selected images in memory and tells of each its passes with milliseconds (of a
-/// fourth rendering, after three that are discarded), its buffers with bytes, and what was left
-/// out. Ends with a table of milliseconds and bytes as planned and with nothing left out.
-[[nodiscard]] std::string explain(const Study& study, const Selection& selection, bool quiet,
-                                  const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
 }  // namespace obscura::stimuli

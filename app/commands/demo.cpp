@@ -15,9 +15,10 @@
 #include "app/commands/list.h"
 #include "app/commands/report_input.h"
 #include "app/commands/simulated_store.h"
-#include "app/kiosk/machine.h"
+#include "app/commands/study_argument.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
+#include "renderer/base/version.h"
 #include "stimuli/generate.h"
 #include "stimuli/view_names.h"
 
@@ -60,7 +61,7 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
     export_options.folder = reports / "export";
     export_options.overwrite = true;
     export_options.studies = {exported};
-    export_options.software = kiosk::software_version();
+    export_options.software = base::program_version();
     (void)analysis::add_conclusions(export_options, store, store_url_of(file));
     (void)analysis::export_store(store, export_options);
     analysis::ReportInput input;
@@ -78,18 +79,20 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
 
 base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const fs::path out = options.out.empty() ? globals.data / "demo" : options.out;
-    const stimuli::Study study = stimuli::load_study(options.study);
+    const std::string named = study_named(options.study, globals);
+    const stimuli::Study study = stimuli::load_study(named);
     base::require_writable_folder(out, "--out");
     const fs::path file = out / "responses.sqlite";
     refuse_real_answers(file, "--out");
     const fs::path images = stimuli::stimuli_folder(out, study);
-    const stimuli::Generated generated = stimuli::generate(study, {}, images, globals.quiet);
+    const stimuli::Generated generated = stimuli::generate(
+        study, {.known = stimuli::stimuli_folder(globals.data, study)}, images, globals.quiet);
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
     simulate_published(study, images,
                        {file, "--out", options.participants, study.seed, globals.quiet});
     const std::string report =
-        analyse(study, exported_study(stimuli::study_source(options.study), study, images), out,
-                file, options.full);
+        analyse(study, exported_study(stimuli::study_source(named), study, images), out, file,
+                options.full);
     fmt::print("{}", report);
     fmt::print(
         "\n{} simulated; nobody has looked at these images.\n"
@@ -105,12 +108,10 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
 
 std::function<base::ExitCode()> attach_demo(const Options& app, const Globals& globals) {
     auto options = std::make_shared<DemoOptions>();
-    app.add("study", options->study, "Study file, or name of a built-in study")
-        .type("STUDY")
-        .shows_default();
+    add_study(app, options->study);
     app.add("--out", options->out,
-            "Folder of the demo, apart from that of real participants [DATA/demo]")
-        .type("DIR");
+            "Folder of the demo, apart from that of real participants (default: DATA/demo)")
+        .type("FOLDER");
     app.add("--participants", options->participants, "Simulated observers")
         .type("N")
         .between(1, 100000)

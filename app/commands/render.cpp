@@ -4,11 +4,15 @@
 
 #include <charconv>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/list.h"
+#include "app/commands/study_argument.h"
 #include "app/commands/variants_help.h"
 #include "renderer/base/log.h"
+#include "stimuli/explain.h"
 #include "stimuli/generate.h"
+#include "stimuli/package/package.h"
 #include "stimuli/study_warnings.h"
 
 namespace obscura::app {
@@ -21,6 +25,7 @@ struct RenderOptions {
     stimuli::Selection selection;
     bool verify = false;
     bool explain = false;
+    bool json = false;
 };
 
 /// "K/N" as two whole numbers.
@@ -48,8 +53,39 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
     return base::ExitCode::kDone;
 }
 
+/// How far the images of each pair are apart.
+void print_pairs(const std::vector<stimuli::ManifestPair>& pairs) {
+    for (const stimuli::ManifestPair& pair : pairs) {
+        fmt::print("{:20} {:6.2f} % of the pixels differ visibly, the most by {:.1f} in CIELAB\n",
+                   pair.condition, 100.0 * pair.difference.over_threshold,
+                   pair.difference.largest_delta_e);
+    }
+}
+
+void print_json(const stimuli::Generated& generated, const std::filesystem::path& folder) {
+    auto pairs = nlohmann::ordered_json::array();
+    for (const stimuli::ManifestPair& pair : generated.pairs) {
+        pairs.push_back({{"condition", pair.condition},
+                         {"noticeable_share", pair.difference.over_threshold},
+                         {"visible", pair.difference.visible},
+                         {"largest_delta_e", pair.difference.largest_delta_e}});
+    }
+    const nlohmann::ordered_json json = {{"folder", folder.string()},      {"made", generated.made},
+                                         {"copied", generated.copied},     {"kept", generated.kept},
+                                         {"complete", generated.complete}, {"pairs", pairs},
+                                         {"warnings", generated.warnings}};
+    fmt::print("{}\n", json.dump(2));
+}
+
 base::ExitCode render(RenderOptions options, const Globals& globals) {
-    const stimuli::Study study = stimuli::load_study(options.study);
+    if (stimuli::is_package(options.study) && options.out.empty() && !options.verify &&
+        !options.explain) {
+        throw base::bad_input(
+            "STUDY: {} has its images; --verify compares them with this machine's, --out FOLDER "
+            "makes others",
+            options.study);
+    }
+    const stimuli::Study study = stimuli::load_study(study_named(options.study, globals));
     for (const std::string& warning : stimuli::warnings_of(study))
         base::log::warn("warning: {}", warning);
     if (!options.shard.empty()) parse_shard(options.shard, options.selection);
@@ -57,16 +93,24 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
                                              ? stimuli::stimuli_folder(globals.data, study)
                                              : std::filesystem::path(options.out);
     if (options.explain) {
-        fmt::print("{}", stimuli::explain(study, options.selection, globals.quiet));
+        const auto& say = options.json ? stimuli::explain_json : stimuli::explain;
+        fmt::print("{}", say(study, options.selection, globals.quiet, stimuli::builtin_scenes()));
         return base::ExitCode::kDone;
     }
     if (options.verify) return verify(study, options, folder, globals.quiet);
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
+    if (options.json) {
+        print_json(generated, folder);
+        return base::ExitCode::kDone;
+    }
+    print_pairs(generated.pairs);
     for (const std::string& warning : generated.warnings) base::log::warn("warning: {}", warning);
-    base::log::info("{}: {} images made, {} kept; {}\n", folder.string(), generated.made,
-                    generated.kept,
-                    generated.complete ? "the study is complete" : "the study is not complete yet");
+    base::log::info(
+        "{}: {} images made{}, {} kept; {}\n", folder.string(), generated.made,
+        generated.copied > 0 ? fmt::format(" ({} as copies of equal ones)", generated.copied) : "",
+        generated.kept,
+        generated.complete ? "the study is complete" : "the study is not complete yet");
     return base::ExitCode::kDone;
 }
 
@@ -77,12 +121,13 @@ Command render_command() {
         "render", "Makes the stimulus images of a study and their manifest",
         [](const Options& app, const Globals& globals) -> std::function<base::ExitCode()> {
             const auto options = std::make_shared<RenderOptions>();
-            app.add("STUDY", options->study,
-                    "Study file or built-in study (default: jakobsen2010)");
-            app.add("--out", options->out, "Folder of the images (default: DATA/stimuli/STUDY)");
-            app.add("--pair", options->selection.pair, "Only this condition");
-            app.add("--shard", options->shard,
-                    "K/N: only part K of N, so that N jobs share the work");
+            add_study(app, options->study);
+            app.add("--out", options->out, "Folder of the images (default: DATA/stimuli/STUDY)")
+                .folder();
+            app.add("--pair", options->selection.pair, "Only this condition").type("ID");
+            app.add("--shard", options->shard, "Only part K of N, so that N jobs share the work")
+                .type("K/N");
+            app.add_flag("--json", options->json, "Print JSON");
             const Option verify_flag = app.add_flag(
                 "--verify", options->verify,
                 "Render in memory, write nothing, and name the files that differ (exit code 3)");

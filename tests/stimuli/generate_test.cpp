@@ -17,6 +17,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/gl/context.h"
+#include "stimuli/explain.h"
 #include "stimuli/png.h"
 #include "stimuli/stimulus.h"
 #include "tests/support/test_scenes.h"
@@ -102,6 +103,34 @@ class Generate : public testing::Test {
     fs::path folder_;
     Study study_;
 };
+
+TEST_F(Generate, RendersWhatHasEqualSettingsOnce) {
+    Condition again = study_.conditions[0];
+    again.id = "again";
+    again.repeats = study_.conditions[0].id;
+    study_.conditions.push_back(again);
+    const std::size_t images = 2 * study_.conditions.size();
+    const Generated first = generate(study_, {}, folder_, true, catalogue());
+    EXPECT_EQ(first.made, static_cast<int>(images));
+    EXPECT_EQ(first.copied, 2);
+    EXPECT_EQ(first.pairs.size(), study_.conditions.size());
+    EXPECT_EQ(base::read_file(folder_ / "again-b.png"), base::read_file(folder_ / "I-b.png"));
+    EXPECT_THAT(problems_of_stimuli(study_, folder_), testing::IsEmpty());
+    EXPECT_THAT(verify(study_, {}, folder_, true, catalogue()).problems, testing::IsEmpty());
+
+    const fs::path other = folder_ / "elsewhere";
+    const Generated taken = generate(study_, {.known = folder_}, other, true, catalogue());
+    EXPECT_EQ(taken.copied, static_cast<int>(images)) << "all of them were there";
+    EXPECT_EQ(base::read_file(other / "II-a.png"), base::read_file(folder_ / "II-a.png"));
+    EXPECT_THAT(problems_of_stimuli(study_, other), testing::IsEmpty());
+}
+
+TEST_F(Generate, GoesIntoNoFolderThatHoldsOtherFiles) {
+    base::write_file_atomically(folder_ / "photo.png", "mine");
+    EXPECT_THROW((void)generate(study_, {}, folder_, true, catalogue()), base::Error);
+    fs::remove(folder_ / "photo.png");
+    EXPECT_NO_THROW((void)generate(study_, {.pair = "I"}, folder_, true, catalogue()));
+}
 
 TEST_F(Generate, MakesTwoImagesAPairAndAManifestThatHolds) {
     const Generated generated = make();
