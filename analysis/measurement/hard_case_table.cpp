@@ -70,6 +70,19 @@ std::string hard_cases_csv(const std::vector<HardCaseRow>& rows) {
     return text;
 }
 
+std::string failing_hard_cases(const std::vector<HardCaseRow>& rows) {
+    std::string text;
+    for (const HardCaseRow& row : rows) {
+        if (row.holds != Holds::kNo && row.holds != Holds::kUndecided) continue;
+        text += fmt::format("{}: {}{}{}: expected {:g}, measured {:g}, allowed are {:g} off{}\n",
+                            row.holds == Holds::kNo ? "fails" : "not decided", row.name,
+                            row.technique.empty() ? "" : ", " + row.technique,
+                            row.quantity.empty() ? "" : ", " + row.quantity, row.expected,
+                            row.measured, row.tolerance, row.note.empty() ? "" : "; " + row.note);
+    }
+    return text;
+}
+
 std::string hard_cases_in_a_sentence(const std::vector<HardCaseRow>& rows) {
     const HardCaseCount count = count_of(rows);
     return fmt::format(

@@ -61,6 +61,9 @@ struct HardCaseCount {
 /// an empty cell.
 [[nodiscard]] std::string hard_cases_csv(const std::vector<HardCaseRow>& rows);
 
+/// A line for each row that fails without a reason or was not decided; empty where none is.
+[[nodiscard]] std::string failing_hard_cases(const std::vector<HardCaseRow>& rows);
+
 /// The count in a sentence.
 [[nodiscard]] std::string hard_cases_in_a_sentence(const std::vector<HardCaseRow>& rows);
 

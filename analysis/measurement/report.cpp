@@ -326,7 +326,10 @@ std::string report_text(const MeasurementReport& report) {
                               growth.law->low, growth.law->high)
                 : fmt::format("{}: {}: {}\n", growth.technique, growth.quantity, growth.law.reason);
     }
-    if (!report.hard_cases.empty()) text += hard_cases_in_a_sentence(report.hard_cases) + '\n';
+    if (!report.hard_cases.empty()) {
+        text += failing_hard_cases(report.hard_cases) +
+                hard_cases_in_a_sentence(report.hard_cases) + '\n';
+    }
     return text;
 }
 

@@ -6,10 +6,12 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
+#include "app/commands/study_argument.h"
 #include "app/measure/experiment.h"
 #include "app/measure/measure.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
+#include "renderer/base/own_folder.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/technique/technique.h"
 
@@ -27,6 +29,7 @@ struct MeasureOptions {
 base::ExitCode run(MeasureOptions options, const Globals& globals) {
     MeasureRequest& request = options.request;
     request.quiet = globals.quiet;
+    request.study = study_named(request.study, globals);
     if (options.lists_experiments) {
         fmt::print("{}", experiments_text());
         return base::ExitCode::kDone;
@@ -43,6 +46,9 @@ base::ExitCode run(MeasureOptions options, const Globals& globals) {
                               request.study);
     }
     base::require_writable_folder(request.out, "--out");
+    if (!fs::exists(request.out / "measure.html")) {
+        base::require_own_folder(request.out, "--out", [](const std::string&) { return false; });
+    }
     if (!request.write_study.empty()) {
         const fs::path parent = request.write_study.parent_path();
         base::require_writable_folder(parent.empty() ? fs::path(".") : parent, "--write-study");
@@ -57,6 +63,10 @@ base::ExitCode run(MeasureOptions options, const Globals& globals) {
     }
     base::log::info("{}: {} files; look at {}", request.out.string(), written.size(),
                     written.back().string());
+    if (measured.interrupted) {
+        throw base::failure("{}; what they gave is in {}", measured.notes.back(),
+                            request.out.string());
+    }
     const std::size_t unexplained = analysis::count_of(measured.report.hard_cases).no;
     if (unexplained > 0) {
         throw base::check_failed("{} hard case{} without a reason; they are in {}", unexplained,
@@ -76,23 +86,38 @@ std::string names_of(const List& list) {
 std::function<base::ExitCode()> attach_measure(const Options& app, const Globals& globals) {
     const auto options = std::make_shared<MeasureOptions>();
     MeasureRequest& request = options->request;
-    app.add("STUDY", request.study,
-            "Study file or built-in study whose views are measured (default: jakobsen2010)");
+    add_study(app, request.study);
     app.add("--scene", request.scenes,
-            "Built-in scenes in place of a study, each by all of its cameras");
-    app.add("--techniques", request.techniques,
+            "Scenes in place of a study: built-in ones, or files that end in .gltf, .glb or .obj; "
+            "each by all of its cameras")
+        .type("SCENE");
+    app.add("--scale", request.scale, "Metres of one unit of such a file, 1e-6 to 1e6")
+        .shows_default();
+    app.add("--camera", request.cameras, "Only views by these cameras (default: all)")
+        .type("NAME")
+        .comma_separated();
+    app.add("--technique", request.techniques,
             "Of " + names_of(renderer::techniques()) +
                 " (default: all that compute accessibility, but for the reference)")
         .comma_separated();
     app.add("--samples", request.samples,
             "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
         .comma_separated();
-    app.add("--filters", request.filters,
+    app.add("--set", request.settings,
+            "A parameter or option of every technique that has it, see obscura ao --help; several "
+            "with commas or blanks between, or --set again")
+        .type("KEY=VALUE")
+        .comma_separated();
+    app.add("--radius", request.radius_m,
+            "Metres: how far every technique that has a radius looks, and the truth (default: the "
+            "study's)");
+    app.add("--denoise", request.filters,
             "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
         .comma_separated();
     app.add("--size", options->size,
-            fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
-                        kUsualSize.height));
+            fmt::format("Of the images, in pixels (default: {}x{})", kUsualSize.width,
+                        kUsualSize.height))
+        .type("WxH");
     app.add("--rays", request.rays,
             fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
     app.add("--runs", request.runs,
@@ -118,7 +143,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
     app.add("--experiment", request.experiment,
             "Instead: a paper's experiment, and what its outcome says of the paper's conclusion");
     app.add_flag("--experiments", options->lists_experiments, "Lists the papers' experiments");
-    app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
+    app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)").folder();
     return [options, &globals] { return run(*options, globals); };
 }
 

@@ -16,6 +16,7 @@
 #include "app/measure/run_experiment.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/error.h"
+#include "renderer/base/interrupt.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
 
@@ -248,6 +249,9 @@ std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
     return settings;
 }
 
+/// Ends the work on a view that is not finished.
+struct Interrupted {};
+
 void sweep_all(MeasuredScene& stage, const MeasureRequest& request, const stimuli::Study& study,
                const std::vector<MeasuredView>& views, Measured& measured,
                const TimerCheck& timers) {
@@ -269,9 +273,22 @@ void sweep_all(MeasuredScene& stage, const MeasureRequest& request, const stimul
         "measure", count * static_cast<std::size_t>(kDiscardedRuns + *request.runs), request.quiet);
     analysis::MeasurementReport& report = measured.report;
     std::vector<std::pair<std::size_t, analysis::ErrorMap>> maps;
+    const base::StopOnInterrupt stop;
+    const auto step = [&](const std::string& what) {
+        if (stop.asked()) throw Interrupted();
+        progress.step(what);
+    };
     for (std::size_t i = 0; i < views.size(); ++i) {
-        SweptView swept = sweep(stage, request, views[i], settings[i], timers,
-                                [&progress](const std::string& what) { progress.step(what); });
+        SweptView swept;
+        try {
+            swept = sweep(stage, request, views[i], settings[i], timers, step);
+        } catch (const Interrupted&) {
+            if (i == 0) throw base::failure("interrupted before the first view was finished");
+            measured.interrupted = true;
+            measured.notes.push_back(
+                fmt::format("interrupted: {} of {} views were finished", i, views.size()));
+            break;
+        }
         for (auto& [row, map] : swept.maps) {
             maps.emplace_back(report.rows.size() + row, std::move(map));
         }
@@ -320,6 +337,9 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
 
     if (request.scenes.empty() && request.experiment.empty()) note_unmeasured(study, measured);
     note_processor(request, measured);
+    if (request.experiment.empty()) {
+        for (std::string& note : left_out_of(request)) measured.notes.push_back(std::move(note));
+    }
     MeasuredScene stage(request);
     const TimerCheck timers = check_timers(stage, views.front(), heavy_choice(request));
     measured.report.timer_check = timers.sentence;

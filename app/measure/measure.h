@@ -18,6 +18,7 @@ struct Measured {
     /// was asked for.
     std::string fitted_study;
     std::vector<std::string> notes;  ///< what of it is not as asked, a sentence each
+    bool interrupted = false;        ///< by Ctrl-C: only the views that were finished are in it
 };
 
 /// Everything that the request asks for. Makes an OpenGL context of its own. Nothing is written

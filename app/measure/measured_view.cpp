@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
+#include "renderer/technique/variant_setting.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::app {
@@ -94,11 +95,14 @@ Source find_builtin(const std::vector<stimuli::BuiltinScene>& catalogue,
 }
 
 /// What `--scene` names.
-Source named_scene(const std::vector<stimuli::BuiltinScene>& catalogue, const std::string& source) {
+Source named_scene(const std::vector<stimuli::BuiltinScene>& catalogue, const std::string& source,
+                   double scale) {
     if (Source builtin = find_builtin(catalogue, source)) return builtin;
     if (stimuli::is_file_source(source)) {
+        stimuli::SceneSettings settings;
+        settings.scale = scale;
         return std::make_shared<const stimuli::SceneSource>(
-            stimuli::source_of(stimuli::open_scene(source, {}, {}, catalogue), source));
+            stimuli::source_of(stimuli::open_scene(source, settings, {}, catalogue), source));
     }
     std::vector<std::string> ids;
     for (const stimuli::BuiltinScene& scene : catalogue) ids.push_back(scene.id);
@@ -136,6 +140,20 @@ std::optional<std::string> problem_of(const Technique& technique, int samples) {
         if (problem.key == "samples") return problem.message;
     }
     return std::nullopt;
+}
+
+/// With the request's own settings in place of others.
+Variant as_asked(Variant variant, const MeasureRequest& request) {
+    const Technique& technique = *renderer::find_technique(variant.technique);
+    if (request.radius_m && technique.find_parameter(kTruthRadius) != nullptr) {
+        variant.parameters[kTruthRadius] = *request.radius_m;
+    }
+    for (const std::string& setting : request.settings) {
+        if (has_setting(variant, setting.substr(0, setting.find('=')))) {
+            (void)renderer::set(variant, setting);
+        }
+    }
+    return variant;
 }
 
 std::vector<std::string> filters_of(const MeasureRequest& request) {
@@ -212,6 +230,8 @@ std::string to_string(Values values) {
             return "standard";
         case Values::kStart:
             return "start";
+        case Values::kAsked:
+            return "asked";
         case Values::kFitted:
             return "fitted";
     }
@@ -232,12 +252,52 @@ std::vector<MeasuredView> views_of(const MeasureRequest& request, const stimuli:
         }
     }
     for (const std::string& id : request.scenes) {
-        const Source scene = named_scene(catalogue, id);
+        const Source scene = named_scene(catalogue, id, request.scale);
         for (const std::string& camera : scene->cameras) {
             views.push_back(make_view(scene, camera, study));
         }
     }
+    for (MeasuredView& view : views) view.radius_m = request.radius_m.value_or(view.radius_m);
+    if (request.cameras.empty()) return views;
+    std::vector<std::string> known;
+    for (const MeasuredView& view : views) known.push_back(view.camera);
+    for (const std::string& camera : request.cameras) {
+        if (std::find(known.begin(), known.end(), camera) == known.end()) {
+            throw base::bad_input("--camera: there is no camera \"{}\", allowed are {}", camera,
+                                  fmt::join(known, ", "));
+        }
+    }
+    std::erase_if(
+        views, [&](const MeasuredView& view) { return !is_wanted(request.cameras, view.camera); });
     return views;
+}
+
+bool has_setting(const Variant& variant, const std::string& key) {
+    return renderer::find_option(key) != nullptr ||
+           renderer::find_technique(variant.technique)->find_parameter(key) != nullptr;
+}
+
+std::vector<std::string> left_out_of(const MeasureRequest& request) {
+    std::vector<std::string> sentences;
+    if (request.techniques.empty()) {
+        for (const Technique& technique : renderer::techniques()) {
+            const std::string why = why_unmeasured(technique);
+            if (!why.empty()) sentences.push_back(technique.name + " " + why + ": not measured");
+        }
+    }
+    if (!request.samples.empty()) return sentences;
+    for (const std::string& name : measured_techniques(request)) {
+        const Technique& technique = *renderer::find_technique(name);
+        if (technique.samples.high == 0) continue;
+        std::vector<int> refused;
+        for (const int samples : request.quick ? kQuickSamples : kSamples) {
+            if (problem_of(technique, samples)) refused.push_back(samples);
+        }
+        if (refused.empty()) continue;
+        sentences.push_back(fmt::format("{} does not take {} samples: those are left out", name,
+                                        fmt::join(refused, ", ")));
+    }
+    return sentences;
 }
 
 std::vector<Valued> published_choices(const MeasuredView& view, const stimuli::Study& study,
@@ -299,10 +359,12 @@ double truth_radius_m(const MeasuredView& view, const Variant& choice) {
 std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredView& view,
                                 const stimuli::Study& study) {
     std::vector<Valued> settings;
-    const auto add = [&settings](const Variant& choice, Values values) {
+    const auto add = [&](const Variant& before, Values values) {
+        const Variant choice = as_asked(before, request);
+        if (choice != before) values = Values::kAsked;
         if (!is_among(settings, choice)) settings.push_back({choice, values});
     };
-    const bool as_asked = !request.samples.empty() || !request.filters.empty();
+    const bool says_which = !request.samples.empty() || !request.filters.empty();
     for (const std::string& name : measured_techniques(request)) {
         const Technique& technique = *renderer::find_technique(name);
         const std::vector<Valued> ways = published_choices(view, study, name);
@@ -314,7 +376,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
             }
             // The other ways in which a study shows a technique get the settings it shows; all of
             // those that were asked for where some were.
-            if (&way != &ways.front() && !as_asked) continue;
+            if (&way != &ways.front() && !says_which) continue;
             for (const std::string& filter : filters_of(request)) {
                 choice.denoise = filter;
                 for (const int count : samples_of(request, technique)) {

@@ -37,6 +37,7 @@ enum class Values {
     kPublished,  ///< the study's, for that scene
     kStandard,   ///< the descriptor's
     kStart,      ///< another scene of the study: where a fit would start
+    kAsked,      ///< some of them the request's own
     kFitted
 };
 [[nodiscard]] std::string to_string(Values values);
@@ -79,6 +80,13 @@ inline constexpr const char* kTruthRadius = "radius_m";
 [[nodiscard]] std::vector<Valued> settings_of(const MeasureRequest& request,
                                               const MeasuredView& view,
                                               const stimuli::Study& study);
+
+/// Whether the variant's technique has a parameter, or an option, of that name.
+[[nodiscard]] bool has_setting(const renderer::Variant& variant, const std::string& key);
+
+/// A sentence for each technique and number of samples that are left out though nobody asked for
+/// others.
+[[nodiscard]] std::vector<std::string> left_out_of(const MeasureRequest& request);
 
 /// The techniques that are measured: the request's, or all that are not the truth themselves.
 [[nodiscard]] std::vector<std::string> measured_techniques(const MeasureRequest& request);

@@ -11,6 +11,7 @@
 #include "renderer/denoise/denoise.h"
 #include "renderer/reference/reference.h"
 #include "renderer/technique/technique.h"
+#include "renderer/technique/variant_setting.h"
 
 namespace obscura::app {
 namespace {
@@ -38,15 +39,48 @@ void check_samples(const MeasureRequest& request) {
     }
 }
 
+/// Each setting is one that a technique has, with a value that all those that have it take.
+void check_settings(const MeasureRequest& request) {
+    const bool others = request.fit || request.growth || request.hard_cases;
+    if (others && (!request.settings.empty() || request.radius_m)) {
+        throw base::bad_input("--set and --radius are of the measurement alone: leave out {}",
+                              request.fit      ? "--fit"
+                              : request.growth ? "--growth"
+                                               : "--hard-cases");
+    }
+    if (request.radius_m) base::check_range("measure", "--radius", *request.radius_m, 1e-6, 1e6);
+    for (const std::string& setting : request.settings) {
+        const std::string key = setting.substr(0, setting.find('='));
+        bool is_one = false;
+        for (const std::string& name : measured_techniques(request)) {
+            renderer::Variant variant = renderer::standard_variant(*renderer::find_technique(name));
+            if (!has_setting(variant, key)) continue;
+            is_one = true;
+            if (!renderer::set(variant, setting)) {
+                throw base::bad_input("--set: \"{}\" is not KEY=VALUE, such as radius_m=0.5",
+                                      setting);
+            }
+            for (const renderer::VariantProblem& problem : renderer::problems_of(variant)) {
+                throw base::bad_input("--set {}: {}", problem.key, problem.message);
+            }
+        }
+        if (!is_one) {
+            throw base::bad_input("--set: no technique that is measured has a setting \"{}\"", key);
+        }
+    }
+}
+
 /// An experiment says itself what is measured.
 void check_experiment(const MeasureRequest& request) {
     if (find_experiment(request.experiment) == nullptr) {
         throw base::bad_input("--experiment: there is no \"{}\", allowed are {}",
                               request.experiment, names_of(experiments()));
     }
-    const std::pair<const char*, bool> others[] = {{"--techniques", !request.techniques.empty()},
+    const std::pair<const char*, bool> others[] = {{"--technique", !request.techniques.empty()},
                                                    {"--samples", !request.samples.empty()},
-                                                   {"--filters", !request.filters.empty()},
+                                                   {"--denoise", !request.filters.empty()},
+                                                   {"--set", !request.settings.empty()},
+                                                   {"--radius", request.radius_m.has_value()},
                                                    {"--fit", request.fit},
                                                    {"--growth", request.growth},
                                                    {"--hard-cases", request.hard_cases}};
@@ -63,21 +97,25 @@ void check_request(const MeasureRequest& request) {
     for (const std::string& name : request.techniques) {
         const renderer::Technique* technique = renderer::find_technique(name);
         if (technique == nullptr) {
-            throw base::bad_input("--techniques: \"{}\" is unknown, allowed are {}", name,
+            throw base::bad_input("--technique: \"{}\" is unknown, allowed are {}", name,
                                   names_of(renderer::techniques()));
         }
         if (const std::string why = why_unmeasured(*technique); !why.empty()) {
-            throw base::bad_input("--techniques: {} {}", name, why);
+            throw base::bad_input("--technique: {} {}", name, why);
         }
     }
     for (const std::string& name : request.filters) {
         if (renderer::find_denoise(name) == nullptr) {
-            throw base::bad_input("--filters: \"{}\" is unknown, allowed are {}", name,
+            throw base::bad_input("--denoise: \"{}\" is unknown, allowed are {}", name,
                                   names_of(renderer::denoise_filters()));
         }
     }
     if (!request.experiment.empty()) check_experiment(request);
     check_samples(request);
+    check_settings(request);
+    if (request.scale != 1.0 && request.scenes.empty()) {
+        throw base::bad_input("--scale: it is of the files of --scene; a study says it itself");
+    }
     base::check_range("measure", "--size, width", *request.width, 1, 16384);
     base::check_range("measure", "--size, height", *request.height, 1, 16384);
     base::check_range("measure", "--rays", *request.rays, 1, renderer::kMostReferenceRays);

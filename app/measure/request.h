@@ -11,11 +11,15 @@ namespace obscura::app {
 
 /// What a measurement is asked to do. Empty lists, and what has no value, stand for the defaults.
 struct MeasureRequest {
-    std::string study;                ///< file or built-in name; empty: jakobsen2010
-    std::vector<std::string> scenes;  ///< built-in scenes in place of the study's views
+    std::string study;                 ///< file or built-in name; empty: jakobsen2010
+    std::vector<std::string> scenes;   ///< scenes in place of the study's views
+    double scale = 1.0;                ///< metres of one unit of their files
+    std::vector<std::string> cameras;  ///< of all views those by these cameras
     std::vector<std::string> techniques;
     std::vector<int> samples;  ///< of each technique, those that it allows
     std::vector<std::string> filters;
+    std::vector<std::string> settings;  ///< KEY=VALUE, of every technique that has the key
+    std::optional<double> radius_m;     ///< of every technique that has one, and of the truth
     std::optional<int> width;
     std::optional<int> height;
     std::optional<int> rays;  ///< of the truth, a pixel
