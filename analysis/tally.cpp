@@ -51,12 +51,12 @@ std::uint32_t chosen_study(const AnswerTable& table, const std::string& study, K
     }
     if (studies.empty()) throw no_sessions(table, kind);
     if (study.empty() && studies.size() > 1) {
-        throw base::bad_input("{} has several studies, --study must name one of: {}", table.source,
+        throw base::bad_input("{} has several studies, STUDY must name one of: {}", table.source,
                               fmt::join(studies, ", "));
     }
     if (chosen == kNone) {
-        throw base::bad_input("--study {}: {} has no completed session of it, allowed are: {}",
-                              study, table.source, fmt::join(studies, ", "));
+        throw base::bad_input("STUDY {}: {} has no completed session of it, allowed are: {}", study,
+                              table.source, fmt::join(studies, ", "));
     }
     return chosen;
 }

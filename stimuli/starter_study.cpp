@@ -9,6 +9,7 @@
 
 #include "stimuli/scenes/good_views.h"
 #include "stimuli/scenes/open_scene.h"
+#include "stimuli/study_text.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::string_view kHead = R"(# {name}: a study to start from. It runs a
 # Lines that begin with # are comments. stimuli/README.md of the program lists every key.
 
 [study]
-name = "{name}"                      # also the folder of its images
+name = {quoted}                      # also the folder of its images
 title = "Ambient occlusion and perceived realism"
 question = "Which image looked the most realistic?"
 instructions = """
@@ -33,12 +34,11 @@ looked more realistic to you. Look at each image as long as you like, then press
 
 No answer is right or wrong. If you hesitate, trust your first impression.
 """
-resolution = [1280, 720]             # pixels, shown one to one
-supersampling = 2                    # samples along each side of a pixel: smooth edges
+resolution = [{width}, {height}]             # pixels, shown one to one
+supersampling = {supersampling}                    # samples along each side of a pixel: smooth edges
 grey_ms = 2000                       # the grey interval between two images; it cannot be skipped
 grey_level = 128                     # sRGB code value of the interval and around the images
-order = "williams"                   # each pair follows each other one equally often
-sides = "trial"                      # which image is first changes within a session
+{order}
 seed = {seed}                    # of every random choice
 
 )";
@@ -96,8 +96,12 @@ std::vector<Part> parts_of(const std::string& source) {
 }
 
 std::string scene_table(const Part& part) {
-    return fmt::format("[[scene]]\nid = \"{}\"\nsource = \"{}\"\n{}\nvalidity = \"{}\"\n\n",
-                       part.id, part.source, part.camera, to_string(part.level));
+    return fmt::format(
+        "[[scene]]\nid = \"{}\"\nsource = \"{}\"\n{}\nvalidity = \"{}\"\n{}\n", part.id,
+        part.source, part.camera, to_string(part.level),
+        is_file_source(part.source)
+            ? "# licence = \"CC BY 4.0\"              # of its files, for obscura pack\n"
+            : "");
 }
 
 /// The two pairs of a part.
@@ -152,12 +156,25 @@ std::string hypotheses_of(const std::vector<std::vector<Part>>& scenes) {
 
 }  // namespace
 
+std::string beginning_of(const StudyBeginning& study) {
+    constexpr std::string_view kMany =
+        "order = \"williams\"                   # each pair follows each other one equally often\n"
+        "sides = \"trial\"                      # which image is first changes within a session";
+    constexpr std::string_view kOne =
+        "order = \"fixed\"                      # williams or latin-square, once there are two "
+        "pairs";
+    return fmt::format(
+        fmt::runtime(kHead), fmt::arg("name", study.name), fmt::arg("quoted", quoted(study.name)),
+        fmt::arg("width", study.width), fmt::arg("height", study.height),
+        fmt::arg("supersampling", study.supersampling),
+        fmt::arg("order", study.one_pair ? kOne : kMany), fmt::arg("seed", study.seed));
+}
+
 std::string starter_study(const std::string& name, const std::vector<std::string>& sources) {
     std::vector<std::vector<Part>> scenes;
     for (const std::string& source : sources) scenes.push_back(parts_of(source));
     const Part& first = scenes.front().front();
-    std::string text = fmt::format(fmt::runtime(kHead), fmt::arg("name", name),
-                                   fmt::arg("seed", 20260000 + sources.size()));
+    std::string text = beginning_of({.name = name, .seed = 20260000 + sources.size()});
     text +=
         "# A scene at a level of light: low (ambient only), moderate (an environment), high (that "
         "and a\n"

@@ -109,25 +109,4 @@ std::string with_condition(std::string_view text, const Condition& condition) {
                                      to_toml(condition.a), to_toml(condition.b));
 }
 
-std::string new_study(const std::string& name, int width, int height, int supersampling) {
-    return fmt::format(
-        "# Begun in obscura explore.\n\n"
-        "[study]\n"
-        "name = {}\n"
-        "title = {}\n"
-        "question = \"Which image looked the most realistic?\"\n"
-        "# What participants read before the first pair.\n"
-        "instructions = \"\"\"\n"
-        "You are about to compare computer-generated images, two at a time. Press the space bar to "
-        "\\\n"
-        "go from one to the other, then choose the one that looked more realistic to you.\n"
-        "\"\"\"\n"
-        "resolution = [{}, {}]\n"
-        "supersampling = {}\n"
-        "# latin-square, once there are two conditions or more.\n"
-        "order = \"fixed\"\n"
-        "seed = 1\n",
-        quoted(name), quoted(name), width, height, supersampling);
-}
-
 }  // namespace obscura::stimuli

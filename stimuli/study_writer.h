@@ -49,11 +49,6 @@ struct VariantChange {
                                      const std::string& condition, const renderer::Variant& a,
                                      const renderer::Variant& b);
 
-/// A study that has neither scenes nor conditions yet, with a comment at each place where its
-/// author has to decide something; its one-condition order is `fixed`.
-[[nodiscard]] std::string new_study(const std::string& name, int width, int height,
-                                    int supersampling);
-
 /// A file's path as it is written in a study that lies in `folder`.
 [[nodiscard]] std::string path_from(const std::filesystem::path& folder,
                                     const std::filesystem::path& file);

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "renderer/base/nearest.h"
+
 namespace obscura::stimuli {
 namespace {
 
@@ -30,25 +32,6 @@ std::string_view type_in_words(const toml::node& node) {
         default:
             return "a date or time";
     }
-}
-
-/// Edits that turn one word into the other, an exchange of neighbours counting as one (the optimal
-/// string alignment distance).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> cost(a.size() + 1,
-                                               std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-            }
-        }
-    }
-    return cost[a.size()][b.size()];
 }
 
 /// What people write for a key, and the key; the first whose key is allowed is meant.
@@ -113,23 +96,6 @@ std::string listed(const std::vector<std::string>& names) {
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& names) {
-    std::optional<std::string> best;
-    std::size_t best_distance = 0;
-    for (const std::string& name : names) {
-        const std::size_t longer = std::max(name.size(), word.size());
-        if (longer > kLongestShown) continue;
-        const std::size_t distance = edit_distance(word, name);
-        const bool extended = word.size() >= 3 && name.starts_with(word);  // radius for radius_m
-        if (3 * distance > longer && !extended) continue;
-        if (!best || distance < best_distance) {
-            best = name;
-            best_distance = distance;
-        }
-    }
-    return best;
-}
-
 std::optional<std::string> meant_key(std::string_view word, const std::vector<std::string>& names) {
     const auto is_one = [&](std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -137,7 +103,7 @@ std::optional<std::string> meant_key(std::string_view word, const std::vector<st
     for (const auto& [other, key] : kOtherWords) {
         if (word == other && is_one(key)) return std::string(key);
     }
-    if (auto best = nearest(word, names)) return best;
+    if (auto best = base::nearest(word, names)) return best;
     constexpr std::size_t kShortestPart = 3;
     if (word.size() < kShortestPart) return std::nullopt;
     for (const std::string& name : names) {  // fov_deg for vertical_fov_deg, samples_a for samples
@@ -152,7 +118,7 @@ std::optional<std::string> meant_key(std::string_view word, const std::vector<st
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
-    const std::optional<std::string> guess = nearest(word, names);
+    const std::optional<std::string> guess = base::nearest(word, names);
     return guess ? fmt::format("; did you mean \"{}\"?", *guess) : "";
 }
 

@@ -20,13 +20,8 @@ namespace obscura::stimuli {
 /// `a, b, c`, or `none`.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
-/// The name of `names` that `word` is most likely a misspelling of: the fewest letters inserted,
-/// removed, replaced or two neighbours exchanged, at most a third of the longer word; or nothing.
-[[nodiscard]] std::optional<std::string> nearest(std::string_view word,
-                                                 const std::vector<std::string>& names);
-
-/// The key of `names` that somebody who wrote `word` means: the nearest(), one that `word` is a
-/// part of, or another word for it (fov for vertical_fov_deg, look_at for target_m); or nothing.
+/// The key of `names` that somebody who wrote `word` means: the base::nearest(), one that `word` is
+/// a part of, or another word for it (fov for vertical_fov_deg, look_at for target_m); or nothing.
 [[nodiscard]] std::optional<std::string> meant_key(std::string_view word,
                                                    const std::vector<std::string>& names);
 

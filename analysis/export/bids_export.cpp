@@ -14,8 +14,6 @@
 
 #include "analysis/export/formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "renderer/base/hash.h"
 
 namespace obscura::analysis {
 namespace {
@@ -297,21 +295,7 @@ class BidsExport {
     }
 
     /// stim_file is relative to the folder stimuli, so the images are there.
-    void write_stimuli() {
-        add_studies(job_, "stimuli");
-        for (const ExportedStudy& study : job_.options.studies) {
-            for (const ExportedImage& image : study.images) {
-                const std::filesystem::path file = study.image_folder / image.file;
-                const std::string bytes = base::read_file(file);
-                const std::string sha256 = base::sha256_hex(bytes);
-                if (sha256 != image.sha256) {
-                    throw base::bad_input("{}: its SHA-256 is {}, allowed is the manifest's {}",
-                                          file.string(), sha256, image.sha256);
-                }
-                job_.folder.add(fmt::format("stimuli/{}/{}", study.name, image.file), bytes);
-            }
-        }
-    }
+    void write_stimuli() { add_studies(job_, "stimuli"); }
 
     /// The standard's place for what is done with the answers is the folder code.
     void write_tests() {

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include "analysis/export/formats.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/hash.h"
 
 namespace obscura::analysis {
 
@@ -37,6 +40,16 @@ void add_studies(const ExportJob& job, const std::string& folder) {
         if (!study.file_text.empty()) job.folder.add(place + "study.toml", study.file_text);
         if (!study.manifest_text.empty()) {
             job.folder.add(place + "manifest.json", study.manifest_text);
+        }
+        for (const ExportedImage& image : study.images) {
+            const std::filesystem::path file = study.image_folder / image.file;
+            const std::string bytes = base::read_file(file);
+            const std::string sha256 = base::sha256_hex(bytes);
+            if (sha256 != image.sha256) {
+                throw base::bad_input("{}: its SHA-256 is {}, allowed is the manifest's {}",
+                                      file.string(), sha256, image.sha256);
+            }
+            job.folder.add(place + image.file, bytes);
         }
     }
 }

@@ -15,6 +15,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/own_folder.h"
 
 namespace obscura::analysis {
 namespace {
@@ -152,6 +153,13 @@ void OutputFile::fail() const {
     throw base::failure("cannot write {}: {}", path_.string(), std::strerror(errno));
 }
 
+void require_own_export_folder(const fs::path& folder) {
+    const std::vector<std::string> own = files_of_earlier(folder);
+    base::require_own_folder(folder, "--out", [&](const std::string& name) {
+        return std::find(own.begin(), own.end(), name) != own.end();
+    });
+}
+
 ExportFolder::ExportFolder(fs::path folder, bool overwrite)
     : folder_(std::move(folder)), overwrite_(overwrite) {
     base::require_writable_folder(folder_, "--out");
@@ -162,6 +170,7 @@ ExportFolder::ExportFolder(fs::path folder, bool overwrite)
             "choose another folder",
             folder_.string(), earlier_.size(), earlier_.front());
     }
+    if (earlier_.empty() && !overwrite_) require_own_export_folder(folder_);
     partial_ = folder_ / fmt::format(".export-{}", ::getpid());
 }
 

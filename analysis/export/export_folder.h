@@ -31,6 +31,9 @@ class OutputFile {
     std::string buffer_;
 };
 
+/// Throws bad input where the folder holds files that no earlier export or report put there.
+void require_own_export_folder(const std::filesystem::path& folder);
+
 /// Files on their way into a folder: all of them get there or none. They are first made in the
 /// folder .export-PID in there, then each is renamed to its place; when that fails half-way, what
 /// stood there before comes back. Only a program killed between two renames leaves some files and

@@ -24,7 +24,8 @@ void export_tables(const ExportJob& job);  ///< csv, tsv, json
 void export_bids(const ExportJob& job);
 void export_psych_ds(const ExportJob& job);
 
-/// Study files and manifests, as FOLDER/STUDY/study.toml and manifest.json.
+/// Study files, manifests and images, as FOLDER/STUDY/study.toml, manifest.json and
+/// CONDITION-a.png. Throws bad input for an image whose bytes are not those of the manifest.
 void add_studies(const ExportJob& job, const std::string& folder);
 
 /// Adds main_tests.R and main_tests.py, in `folder` (empty: at the top), which find the tables.

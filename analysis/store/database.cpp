@@ -65,6 +65,7 @@ void require_sqlite_header(const fs::path& file) {
 
 void require_writable_file(const fs::path& file, bool exists) {
     base::require_writable_folder(file.parent_path(), "--db");
+    fs::create_directories(file.parent_path());
     if (exists && ::access(file.c_str(), W_OK) != 0) {
         throw base::bad_input("cannot write the store {}: {}", file.string(), std::strerror(errno));
     }

@@ -10,6 +10,7 @@
 #include "analysis/conclusions/model_check.h"
 #include "analysis/conclusions/published_study.h"
 #include "analysis/counts_file.h"
+#include "analysis/export/export_folder.h"
 #include "analysis/presentation/json_report.h"
 #include "analysis/presentation/report.h"
 #include "analysis/presentation/summary.h"
@@ -21,9 +22,11 @@
 #include "app/commands/list.h"
 #include "app/commands/look_log.h"
 #include "app/commands/report_input.h"
-#include "app/kiosk/machine.h"
+#include "app/commands/study_argument.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
+#include "renderer/base/version.h"
+#include "stimuli/package/package.h"
 #include "stimuli/view_names.h"
 
 namespace obscura::app {
@@ -35,8 +38,8 @@ struct AnalyzeOptions {
     std::string trials;
     std::vector<std::string> map;  ///< OURS=THEIRS, of the columns of a table
     bool published = false;
-    std::string study;
-    std::string study_file;
+    std::string study;                    ///< name: whose answers; empty: there is one study
+    std::string study_file;               ///< what they are answers to; empty: not said
     std::filesystem::path preregistered;  ///< empty: none
     std::string kind = "participant";
     bool validity = false;
@@ -129,7 +132,7 @@ std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
     }
     stimuli::Study study = stimuli::load_study(options.study_file);
     if (!tally.study.empty() && study.name != tally.study) {
-        throw base::bad_input("--study-file: {} is the study {}, the answers are to {}",
+        throw base::bad_input("STUDY: {} is the study {}, the answers are to {}",
                               options.study_file, study.name, tally.study);
     }
     return study;
@@ -146,7 +149,7 @@ std::string shown_text(const analysis::ReportInput& input, const AnalyzeOptions&
     if (options.out.empty()) {
         return text +
                "All tests in words: --full. As a page with plots, and ready for a paper: --out "
-               "DIR.\n";
+               "FOLDER.\n";
     }
     return text + fmt::format("report    {}\npaper     {}\nall tests {}\n",
                               (options.out / "report.html").string(),
@@ -162,15 +165,37 @@ bool is_of_store(const AnalyzeOptions& options) {
 analysis::RegistrationResult registration_of(Answers& answers, const analysis::Analysis& result,
                                              const AnalyzeOptions& options) {
     analysis::Conducted& conducted = answers.conducted;
-    conducted.software = kiosk::software_version();
+    conducted.software = base::program_version();
     conducted.analysis_seed = analysis::kAnalysisSeed;
     conducted.asks_validity = options.validity && result.family.interaction() == nullptr;
     return analysis::compare_registration(analysis::read_registration(options.preregistered),
                                           options.preregistered.string(), answers.tally, conducted);
 }
 
-base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
-    if (!options.out.empty()) base::require_writable_folder(options.out, "--out");
+/// A name says whose answers are wanted, a file or a package also what they are answers to.
+void resolve_study(AnalyzeOptions& options, const Globals& globals) {
+    const std::string word = options.study;
+    if (word.empty()) return;
+    std::error_code ignored;
+    const bool is_file = word.ends_with(".toml") || stimuli::is_package(word) ||
+                         std::filesystem::is_regular_file(word, ignored);
+    if (is_file && !builtin_study(word)) {
+        options.study_file = study_named(word, globals);
+        const auto trusted = stimuli::SceneFiles::kTrusted;
+        options.study =
+            is_of_store(options) ? stimuli::load_study(options.study_file, trusted).name : "";
+    } else if (options.published || !options.counts.empty()) {
+        throw base::bad_input("STUDY: there is no file {}; {} holds the votes of one study", word,
+                              options.published ? "--published" : options.counts);
+    }
+}
+
+base::ExitCode analyze(AnalyzeOptions options, const Globals& globals) {
+    resolve_study(options, globals);
+    if (!options.out.empty()) {
+        base::require_writable_folder(options.out, "--out");
+        analysis::require_own_export_folder(options.out);
+    }
     Answers answers = answers_of(options, globals);
     for (const std::string& note : answers.tally.notes) {
         base::log::warn("{}: {}", answers.tally.source, note);
@@ -207,16 +232,20 @@ base::ExitCode analyze(const AnalyzeOptions& options, const Globals& globals) {
 void attach_sources(const Options& app, AnalyzeOptions& options) {
     const Option db = app.add("--db", options.db,
                               "Response store, sqlite3://FILE or postgresql://... "
-                              "[sqlite3://DATA/responses.sqlite]");
+                              "(default: sqlite3://DATA/responses.sqlite)")
+                          .type("URL");
     const Option counts =
         app.add("--counts", options.counts,
                 "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
-                "condition,hypothesis,validity,scene");
-    const Option trials = app.add(
-        "--trials", options.trials,
-        "Answers from a table, one row a trial: observer,condition_A,condition_B and is_A_selected "
-        "(yes or no), chose_B, or chosen (a variant's name, A or B ...), and where they are there "
-        "session_id,scene,order,response_time; or an exported trials.csv");
+                "condition,hypothesis,validity,scene")
+            .type("FILE");
+    const Option trials = app.add("--trials", options.trials,
+                                  "Answers from a table, one row a trial: "
+                                  "observer,condition_A,condition_B and is_A_selected "
+                                  "(yes or no), chose_B, or chosen (a variant's name, A or B ...), "
+                                  "and where they are there "
+                                  "session_id,scene,order,response_time; or an exported trials.csv")
+                              .type("FILE");
     const Option map = app.add("--map", options.map,
                                "What the table calls a column, as in observer=Subject; empty: its "
                                "column of our name is something else. Once for each column")
@@ -225,14 +254,17 @@ void attach_sources(const Options& app, AnalyzeOptions& options) {
     const Option published =
         app.add_flag("--published", options.published,
                      "The votes of Jakobsen 2010, Table 4, which are built in");
-    const Option study =
-        app.add("--study", options.study, "Study to analyse, where there are several");
+    app.add(
+        "STUDY", options.study,
+        "Study file, package (.zip) or name of a study: whose answers, where there are several; "
+        "and for which scenes are the same, and the report's title and question (default: the "
+        "built-in study of the answers' name)");
     const Option kind = app.add("--kind", options.kind, "Whose answers: participant or simulated")
                             .one_of({"participant", "simulated"})
                             .shows_default();
     map.excludes({db});
-    counts.excludes({db, trials, study, kind});
-    published.excludes({map, counts, db, trials, study, kind});
+    counts.excludes({db, trials, kind});
+    published.excludes({map, counts, db, trials, kind});
     trials.excludes({db});
 }
 
@@ -246,7 +278,7 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
     const Option model = app.add_flag(
         "--model", options->model,
         fmt::format("Check each verdict by a logistic model with an intercept for each participant "
-                    "[unasked for up to {} answers]",
+                    "(default: for up to {} answers)",
                     analysis::kMostModelled));
     app.add_flag("--no-model", options->no_model, "Leave that out").excludes({model});
     const Option json = app.add_flag("--json", options->json, "Print JSON instead of a table");
@@ -259,17 +291,13 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
                                "analysis.json, plots/, thumbnails/, and in paper/ methods, "
                                "results, tables and figures as Markdown, LaTeX, CSV, SVG and PDF; "
                                "what is there is replaced")
-                           .type("DIR");
-    app.add("--study-file", options->study_file,
-            "Study file, for which scenes are the same and for the report's title and "
-            "question [the built-in study of that name]")
-        .type("FILE");
+                           .type("FOLDER");
     app.add("--preregistered", options->preregistered,
             "Document of obscura plan --preregister: say what deviates from it")
         .type("FILE");
     app.add("--measurement", options->measurement,
             "Table of obscura measure, for speed, error and what relates them to the answers "
-            "[DATA/reports/measure/measure.csv, where it is there]")
+            "(default: DATA/reports/measure/measure.csv, where it is there)")
         .type("FILE")
         .needs(out);
     app.footer(

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/list.h"
 #include "app/commands/planned_tally.h"
+#include "app/commands/study_argument.h"
 #include "app/kiosk/page_check.h"
 #include "app/kiosk/text_check.h"
 #include "stimuli/manifest.h"
@@ -18,6 +20,8 @@
 
 namespace obscura::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// What may not be as the author expects, of the study and of its images where they are there.
 std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals& globals) {
@@ -38,36 +42,75 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals&
     return warnings;
 }
 
-base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
-    const stimuli::StudySource source = stimuli::study_source(file_or_name);
-    const auto& [study, of_file] =
-        stimuli::read_study(source.text, stimuli::builtin_scenes(), source.folder);
-    std::vector<stimuli::StudyProblem> problems = of_file;
-    for (auto& problem : kiosk::problems_of_texts(study)) {
-        problems.push_back(std::move(problem));
+/// Everything that there is to say of a study file.
+struct Findings {
+    stimuli::StudySource source;
+    stimuli::Study study;  ///< of use where there is no problem
+    std::vector<stimuli::StudyProblem> problems;
+    std::vector<std::string> warnings;
+    std::vector<std::string> notes;
+};
+
+Findings findings_of(const std::string& word, const Globals& globals) {
+    Findings found;
+    found.source = stimuli::study_source(study_named(word, globals));
+    stimuli::StudyReading read =
+        stimuli::read_study(found.source.text, stimuli::builtin_scenes(), found.source.folder);
+    found.study = std::move(read.study);
+    found.problems = std::move(read.problems);
+    for (auto& problem : kiosk::problems_of_texts(found.study)) {
+        found.problems.push_back(std::move(problem));
     }
-    if (!problems.empty()) {
-        std::stable_sort(problems.begin(), problems.end(),
-                         [](const auto& a, const auto& b) { return a.line < b.line; });
-        fmt::print("{}\n", stimuli::to_lines(problems, source.name));
-        return base::ExitCode::kBadInput;
+    std::stable_sort(found.problems.begin(), found.problems.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    if (!found.problems.empty()) return found;
+    found.warnings = warnings_of(found.study, globals);
+    for (const auto& notes : {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study)}) {
+        found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     }
-    const std::vector<std::string> warnings = warnings_of(study, globals);
-    for (const std::string& warning : warnings) {
-        fmt::print("{}: warning: {}\n", source.name, warning);
+    if (const std::string note = kiosk::note_on_words(found.study); !note.empty()) {
+        found.notes.push_back(note);
     }
-    for (const auto& notes : {stimuli::notes_on(study), kiosk::notes_on_pages(study)}) {
-        for (const std::string& note : notes) fmt::print("{}: note: {}\n", source.name, note);
+    return found;
+}
+
+void print_json(const Findings& found) {
+    auto problems = Json::array();
+    for (const stimuli::StudyProblem& problem : found.problems) {
+        problems.push_back({{"line", problem.line}, {"message", problem.message}});
     }
-    if (const std::string note = kiosk::note_on_words(study); !note.empty()) {
-        fmt::print("{}: note: {}\n", source.name, note);
+    fmt::print("{}\n", Json{{"file", found.source.name},
+                            {"study", found.study.name},
+                            {"conditions", found.study.conditions.size()},
+                            {"problems", problems},
+                            {"warnings", found.warnings},
+                            {"notes", found.notes}}
+                           .dump(2));
+}
+
+void print_text(const Findings& found) {
+    const std::string& name = found.source.name;
+    for (const std::string& warning : found.warnings) {
+        fmt::print("{}: warning: {}\n", name, warning);
     }
-    const std::size_t conditions = study.conditions.size();
-    const std::size_t count = warnings.size();
-    fmt::print("{}: {} condition{}, {} images, no problems{}\n", source.name, conditions,
+    for (const std::string& note : found.notes) fmt::print("{}: note: {}\n", name, note);
+    const std::size_t conditions = found.study.conditions.size();
+    const std::size_t count = found.warnings.size();
+    fmt::print("{}: {} condition{}, {} images, no problems{}\n", name, conditions,
                conditions == 1 ? "" : "s", 2 * conditions,
                count == 0 ? "" : fmt::format(", {} warning{}", count, count == 1 ? "" : "s"));
-    return base::ExitCode::kDone;
+}
+
+base::ExitCode check(const std::string& word, bool json, const Globals& globals) {
+    const Findings found = findings_of(word, globals);
+    if (json) {
+        print_json(found);
+    } else if (!found.problems.empty()) {
+        fmt::print("{}\n", stimuli::to_lines(found.problems, found.source.name));
+    } else {
+        print_text(found);
+    }
+    return found.problems.empty() ? base::ExitCode::kDone : base::ExitCode::kBadInput;
 }
 
 }  // namespace
@@ -76,10 +119,10 @@ Command check_command() {
     return {"check", "Say everything that is wrong with a study file, each with its line",
             [](const Options& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto study = std::make_shared<std::string>();
-                options.add("STUDY", *study,
-                            "Study file, or the name of a built-in study; default: "
-                            "jakobsen2010");
-                return [study, &globals] { return check(*study, globals); };
+                auto json = std::make_shared<bool>(false);
+                add_study(options, *study);
+                options.add_flag("--json", *json, "Print JSON");
+                return [study, json, &globals] { return check(*study, *json, globals); };
             }};
 }
 

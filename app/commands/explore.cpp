@@ -4,6 +4,7 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/list.h"
+#include "app/commands/study_argument.h"
 #include "app/explorer/explorer.h"
 
 namespace obscura::app {
@@ -24,7 +25,7 @@ std::optional<explorer::WindowSize> size_from(const std::string& text) {
 
 base::ExitCode explore(const ExploreArguments& arguments, const Globals& globals) {
     explorer::ExploreOptions options;
-    options.what = arguments.what;
+    options.what = study_named(arguments.what, globals);
     options.data = globals.data;
     options.reset = arguments.reset;
     options.image = size_from(arguments.size);

@@ -13,8 +13,9 @@
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
-#include "app/kiosk/machine.h"
+#include "app/commands/study_argument.h"
 #include "renderer/base/log.h"
+#include "renderer/base/version.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
@@ -65,13 +66,13 @@ stimuli::Study require_seen(const std::string& option, const stimuli::StudySourc
     if (met == hashes.end()) {
         std::vector<std::string> names;
         for (const auto& [name, ignored] : hashes) names.push_back(name);
-        throw base::bad_input("--study {}: the store has no session of study {}; it has {}", option,
+        throw base::bad_input("STUDY: {}: the store has no session of study {}; it has {}", option,
                               study.name,
                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")));
     }
     if (!met->second.contains(study.sha256)) {
         throw base::bad_input(
-            "--study {}: its SHA-256 is {}, the sessions of study {} began with {}: it is another "
+            "STUDY: {}: its SHA-256 is {}, the sessions of study {} began with {}: it is another "
             "version of the file",
             option, study.sha256, study.name, met->second.begin()->first);
     }
@@ -96,10 +97,10 @@ std::vector<analysis::ExportedStudy> studies_of(const ExportOptions& options,
                                                 const Globals& globals, const Hashes& hashes) {
     std::map<std::string, stimuli::StudySource> sources;
     for (const std::string& option : options.studies) {
-        stimuli::StudySource source = stimuli::study_source(option);
+        stimuli::StudySource source = stimuli::study_source(study_named(option, globals));
         const std::string name = require_seen(option, source, hashes).name;
         if (!sources.emplace(name, std::move(source)).second) {
-            throw base::bad_input("--study {}: study {} is given twice", option, name);
+            throw base::bad_input("STUDY: {}: study {} is given twice", option, name);
         }
     }
     std::vector<analysis::ExportedStudy> exported;
@@ -110,7 +111,8 @@ std::vector<analysis::ExportedStudy> studies_of(const ExportOptions& options,
         const fs::path images = globals.data / "stimuli" / name;
         const auto source = sources.find(name);
         if (source == sources.end()) {
-            base::log::warn("the file of study {} is not at hand: --study FILE adds it", name);
+            base::log::warn(
+                "the file of study {} is not at hand: name it behind the command to add it", name);
             exported.push_back(exported_study(name, images));
         } else {
             const auto study = stimuli::parse_study(source->second.text, source->second.name, {},
@@ -119,7 +121,7 @@ std::vector<analysis::ExportedStudy> studies_of(const ExportOptions& options,
             exported.push_back(exported_study(source->second, study, images));
         }
         if (exported.back().manifest_text.empty()) {
-            base::log::warn("{}: there is no manifest of the images to add",
+            base::log::warn("study {}: its images are not added, for there is no {}", name,
                             (images / "manifest.json").string());
         }
     }
@@ -142,7 +144,7 @@ base::ExitCode export_answers(const ExportOptions& options, const Globals& globa
     wanted.format = *analysis::export_format_from(options.format);
     wanted.folder = options.out;
     wanted.overwrite = options.force;
-    wanted.software = kiosk::software_version();
+    wanted.software = base::program_version();
     wanted.studies = studies_of(options, globals, hashes_in(store));
     if (options.anonymous) {
         wanted.anonymous_seed = seed_of(options);
@@ -176,20 +178,21 @@ std::function<base::ExitCode()> attach_export(const Options& app, const Globals&
     for (const auto format : analysis::kExportFormats) formats.emplace_back(to_string(format));
     app.add("--db", options->db,
             "Response store, sqlite3://FILE or postgresql://... "
-            "[sqlite3://DATA/responses.sqlite]");
-    app.add("--out", options->out, "Folder for the files").required();
+            "(default: sqlite3://DATA/responses.sqlite)")
+        .type("URL");
+    app.add("--out", options->out, "Folder for the files").folder().required();
     app.add("--format", options->format,
             "Kind of files: csv, tsv, json (JSON Lines), bids or psych-ds")
         .one_of(formats)
         .shows_default();
-    app.add("--study", options->studies,
-            "Study file to add, one that the sessions began with; built-in ones are found "
-            "without. Images and manifest are those of DATA/stimuli/STUDY")
-        .repeatable();
+    app.add("STUDY", options->studies,
+            "Study files or packages (.zip) to add, ones that the sessions began with; built-in "
+            "ones are found without. Images and manifest are those of DATA/stimuli/STUDY");
     app.add_flag("--anonymous", options->anonymous,
                  "Leave out age, gender, times of day and place in the sequence, and number "
                  "participants anew in a shuffled order");
-    app.add("--seed", options->seed, "Seed of that order, so that it can be had again [drawn anew]")
+    app.add("--seed", options->seed,
+            "Seed of that order, so that it can be had again (default: drawn anew)")
         .between(0, std::numeric_limits<std::int64_t>::max());
     app.add_flag("--force", options->force, "Replace an export and overwrite files that are there");
     return [options, &globals] { return export_answers(*options, globals); };

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/options.h"
 
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
 #include "renderer/base/error.h"
+#include "renderer/base/nearest.h"
 
 namespace obscura::app {
 
@@ -16,12 +20,22 @@ Option Option::required() const { return Option(*option_->required()); }
 Option Option::shows_default() const { return Option(*option_->capture_default_str()); }
 Option Option::type(const std::string& word) const { return Option(*option_->type_name(word)); }
 Option Option::one_of(const std::vector<std::string>& words) const {
-    return Option(*option_->check(CLI::IsMember(words)));
+    const CLI::Validator one = CLI::IsMember(words);
+    return Option(
+        *option_->check(one.description(""))->type_name(fmt::format("{}", fmt::join(words, "|"))));
 }
 Option Option::between(std::int64_t least, std::int64_t most) const {
-    return Option(*option_->check(CLI::Range(least, most)));
+    const CLI::Validator range = CLI::Range(least, most);
+    const std::string allowed = most == std::numeric_limits<std::int64_t>::max()
+                                    ? fmt::format(" (from {})", least)
+                                    : fmt::format(" ({} to {})", least, most);
+    return Option(
+        *option_->check(range.description(""))->description(option_->get_description() + allowed));
 }
-Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
+Option Option::existing_folder() const {
+    return Option(*option_->check(CLI::ExistingDirectory.description(""))->type_name("FOLDER"));
+}
+Option Option::folder() const { return Option(*option_->type_name("FOLDER")); }
 Option Option::comma_separated() const { return Option(*option_->delimiter(',')); }
 Option Option::repeatable() const { return Option(*option_->allow_extra_args(false)); }
 Option Option::needs(const Option& other) const { return Option(*option_->needs(other.option_)); }
@@ -35,14 +49,15 @@ Option Options::add(const std::string& name, T& value, const std::string& what) 
     const Option option(*app_->add_option(name, value, what));
     if constexpr (std::is_same_v<T, std::filesystem::path> ||
                   std::is_same_v<T, std::vector<std::filesystem::path>>) {
-        return option.type("PATH");
-    } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::vector<double>>) {
+        return option.type("FILE");
+    } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>> ||
+                         std::is_same_v<T, std::vector<double>>) {
         return option.type("NUMBER");
     } else if constexpr (!std::is_same_v<T, std::string> &&
                          !std::is_same_v<T, std::vector<std::string>>) {
         return option.type("N");
     } else {
-        return option;
+        return option.type(name.starts_with("-") ? "NAME" : "");
     }
 }
 template Option Options::add(const std::string&, std::string&, const std::string&) const;
@@ -51,6 +66,7 @@ template Option Options::add(const std::string&, std::uint64_t&, const std::stri
 template Option Options::add(const std::string&, int&, const std::string&) const;
 template Option Options::add(const std::string&, double&, const std::string&) const;
 template Option Options::add(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Options::add(const std::string&, std::optional<double>&, const std::string&) const;
 template Option Options::add(const std::string&, std::optional<std::int64_t>&,
                              const std::string&) const;
 template Option Options::add(const std::string&, std::optional<std::uint64_t>&,
@@ -72,10 +88,40 @@ Options Options::add_command(const std::string& name, const std::string& what) c
 void Options::require_command() const { app_->require_subcommand(1); }
 void Options::when_given(const std::function<void()>& act) const { app_->callback(act); }
 
+namespace {
+
+/// What an option is for, whether it may be left out, and what is meant then: the one form in which
+/// help, manual and completion say it.
+std::string what_of(const CLI::Option& option) {
+    std::string text = option.get_description();
+    if (option.get_required()) text += " (required)";
+    if (const std::string standard = option.get_default_str(); !standard.empty()) {
+        text += fmt::format(" (default: {})", standard);
+    }
+    return text;
+}
+
+/// `--size WxH   Of the image (default: 1280x720)`
+class HelpFormat : public CLI::Formatter {
+  public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        if (option->get_type_size() == 0) return "";
+        const bool several = option->get_expected_max() == CLI::detail::expected_max_vector_size;
+        const std::string type = option->get_type_name();
+        return (type.empty() ? "" : " " + type) + (several ? " ..." : "");
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        return what_of(*option);
+    }
+};
+
+}  // namespace
+
 CommandLine::CommandLine(const std::string& what, const std::string& program,
-                         const std::string& version)
+                         std::function<std::string()> version)
     : app_(std::make_unique<CLI::App>(what, program)) {
-    app_->set_version_flag("--version", version);
+    app_->set_version_flag("--version", std::move(version), "Version, commit and driver");
+    app_->formatter(std::make_shared<HelpFormat>());
     app_->fallthrough();
 }
 CommandLine::~CommandLine() = default;
@@ -93,10 +139,7 @@ DescribedCommand described_app(const CLI::App& app) {
         for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
         if (one.by_place) one.names = {option->get_name(true)};
         if (option->get_expected_max() > 0) one.value = option->get_type_name();
-        one.what = option->get_description();
-        if (const std::string standard = option->get_default_str(); !standard.empty()) {
-            one.what += " (default: " + standard + ")";
-        }
+        one.what = what_of(*option);
         command.options.push_back(std::move(one));
     }
     for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -109,6 +152,62 @@ DescribedCommand described_app(const CLI::App& app) {
 
 DescribedCommand CommandLine::described() const { return described_app(*app_); }
 
+namespace {
+
+/// The command that the words chose, the innermost.
+const CLI::App& chosen_app(const CLI::App& app) {
+    const std::vector<CLI::App*> subs = app.get_subcommands();
+    return subs.empty() ? app : chosen_app(*subs.back());
+}
+
+/// Words that nothing took: options that are not there, with what may have been meant, or a value
+/// too many.
+std::string of_unknown(const CLI::App& program, const std::vector<std::string>& words) {
+    const CLI::App& chosen = chosen_app(program);
+    std::vector<std::string> known;
+    for (const CLI::App* app : {&chosen, &program}) {
+        for (const CLI::Option* option : app->get_options()) {
+            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+        }
+    }
+    std::string text;
+    for (const std::string& word : words) {
+        if (!word.starts_with("-")) {
+            text += fmt::format("{}\"{}\" is one value too many", text.empty() ? "" : "; ", word);
+            continue;
+        }
+        const std::string name = word.substr(0, word.find('='));
+        const std::optional<std::string> meant = base::nearest(name, known);
+        text += fmt::format("{}there is no option {}{}", text.empty() ? "" : "; ", name,
+                            meant ? fmt::format("; did you mean {}?", *meant) : "");
+    }
+    return text;
+}
+
+/// What the library says, as the rest of the program would.
+std::string in_our_words(const CLI::App& program, const CLI::ParseError& error) {
+    std::string text = error.what();
+    if (!program.remaining(true).empty() && error.get_name() == "ExtrasError") {
+        text = of_unknown(program, program.remaining(true));
+    }
+    const auto replace = [&](std::string_view from, std::string_view to) {
+        if (const std::size_t at = text.find(from); at != std::string::npos) {
+            text.replace(at, from.size(), to);
+        }
+    };
+    replace(" is required", " is missing");
+    replace("Could not convert: ", "");
+    replace("A subcommand is missing", "a command is missing");
+    std::string name = program.get_name();
+    for (const CLI::App* app = &program; !app->get_subcommands().empty();) {
+        app = app->get_subcommands().back();
+        name += " " + app->get_name();
+    }
+    return fmt::format("{}\nSee {} --help.", text, name);
+}
+
+}  // namespace
+
 bool CommandLine::parse(std::vector<std::string> words) {
     std::reverse(words.begin(), words.end());
     try {
@@ -117,7 +216,7 @@ bool CommandLine::parse(std::vector<std::string> words) {
         app_->exit(asked);
         return false;
     } catch (const CLI::ParseError& error) {
-        throw base::bad_input("{}\nRun with --help for more information.", error.what());
+        throw base::bad_input("{}", in_our_words(*app_, error));
     }
     return true;
 }

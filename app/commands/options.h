@@ -29,6 +29,8 @@ class Option {
     /// Both ends included.
     Option between(std::int64_t least, std::int64_t most) const;
     Option existing_folder() const;
+    /// It names a folder that is written into.
+    Option folder() const;
     /// Several values in one word, with commas between.
     Option comma_separated() const;
     /// May be given several times, one value each time.
@@ -84,7 +86,9 @@ struct DescribedCommand {
 /// whose headers take longer to compile than most commands.
 class CommandLine {
   public:
-    CommandLine(const std::string& what, const std::string& program, const std::string& version);
+    /// `version` is asked for by --version only.
+    CommandLine(const std::string& what, const std::string& program,
+                std::function<std::string()> version);
     ~CommandLine();
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;

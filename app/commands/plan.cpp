@@ -12,6 +12,7 @@
 #include "app/commands/list.h"
 #include "app/commands/planned_tally.h"
 #include "app/commands/preregister.h"
+#include "app/commands/study_argument.h"
 #include "stimuli/order/balance.h"
 #include "stimuli/study.h"
 
@@ -272,7 +273,8 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
 }
 
 base::ExitCode plan(const PlanOptions& options, const Globals& globals) {
-    const Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    const Study study =
+        stimuli::load_study(study_named(options.study, globals), stimuli::SceneFiles::kTrusted);
     if (!options.preregister.empty()) {
         const auto document = preregister(
             study, {options.preregister, globals.data, options.participants, globals.quiet});
@@ -292,9 +294,7 @@ Command plan_command() {
     return {"plan", "Print who sees what, with proof of its balance",
             [](const Options& options, const Globals& globals) -> std::function<base::ExitCode()> {
                 auto chosen = std::make_shared<PlanOptions>();
-                options.add("STUDY", chosen->study,
-                            "Study file, or the name of a built-in study; default: "
-                            "jakobsen2010");
+                add_study(options, chosen->study);
                 options
                     .add("--participants", chosen->participants,
                          "How many participants complete the study")
@@ -303,10 +303,10 @@ Command plan_command() {
                 options.add_flag("--json", chosen->json, "Print JSON");
                 options
                     .add("--preregister", chosen->preregister,
-                         "Write DIR/preregistration.md: hypotheses, participants and their "
+                         "Write FOLDER/preregistration.md: hypotheses, participants and their "
                          "power, order, rules and analysis, with the SHA-256 of the study "
                          "file and of every image; obscura analyze --preregistered compares")
-                    .type("DIR");
+                    .type("FOLDER");
                 return [chosen, &globals] { return plan(*chosen, globals); };
             }};
 }

@@ -13,6 +13,7 @@
 #include "app/commands/list.h"
 #include "app/commands/observer_options.h"
 #include "app/commands/power_of_study.h"
+#include "app/commands/study_argument.h"
 #include "app/commands/study_power_text.h"
 #include "renderer/base/check.h"
 
@@ -295,7 +296,8 @@ PowerRequest request_of(const PowerOptions& options, bool quiet) {
 }
 
 base::ExitCode power_of_verdicts(const PowerOptions& options, const Globals& globals) {
-    const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    const stimuli::Study study =
+        stimuli::load_study(study_named(options.study, globals), stimuli::SceneFiles::kTrusted);
     (void)choices_from(options.observers, study);  // what it refuses
     const PowerRequest request = request_of(options, globals.quiet || options.json);
     const auto results = power_of_study(study, request);
@@ -306,9 +308,9 @@ base::ExitCode power_of_verdicts(const PowerOptions& options, const Globals& glo
 
 std::function<base::ExitCode()> attach_power(const Options& app, const Globals& globals) {
     auto options = std::make_shared<PowerOptions>();
-    const Option study = app.add("STUDY", options->study,
-                                 "Study file or built-in study: the power of its verdicts, by "
-                                 "simulating it as planned; none: of one condition alone");
+    const Option study = add_study(app, options->study,
+                                   "none: of one condition alone; of a study it is the power of "
+                                   "its verdicts, by simulating it as planned");
     for (const Option& own : add_own_options(app, options->observers)) own.needs(study);
     app.add("--studies", options->studies, "Simulated studies for each number, 100 to 100000")
         .shows_default()
@@ -316,7 +318,7 @@ std::function<base::ExitCode()> attach_power(const Options& app, const Globals& 
     app.add("--seed", options->seed, "Of the simulation").shows_default().needs(study);
     app.add("--share", options->shares,
             "True shares of votes for the preferred image, 0 to 1, at least .001 from .5 "
-            "[.55 .60 .65 .70 .75 .80; of a study .65]");
+            "(default: .55 .60 .65 .70 .75 .80; of a study .65)");
     const Option level =
         app.add("--level", options->level, "p below which a result is significant, 0 to 1")
             .shows_default();

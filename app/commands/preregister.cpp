@@ -10,9 +10,9 @@
 #include "app/commands/planned_tally.h"
 #include "app/commands/study_power_text.h"
 #include "app/kiosk/clock.h"
-#include "app/kiosk/machine.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/version.h"
 #include "stimuli/manifest.h"
 
 namespace obscura::app {
@@ -99,7 +99,7 @@ analysis::Registration registration_of(const Study& study, const PreregisterRequ
     registration.exclusion = study.exclusion.to_json();
     registration.participants = request.participants;
     registration.analysis_seed = analysis::kAnalysisSeed;
-    registration.software = kiosk::software_version();
+    registration.software = base::program_version();
     registration.written_utc = kiosk::utc_now();
     const stimuli::Manifest manifest = stimuli::load_manifest(images / "manifest.json");
     for (const stimuli::Condition& condition : study.conditions) {

@@ -7,6 +7,7 @@
 #include "app/commands/list.h"
 #include "app/commands/observer_options.h"
 #include "app/commands/simulated_store.h"
+#include "app/commands/study_argument.h"
 #include "renderer/base/files.h"
 
 namespace obscura::app {
@@ -40,7 +41,8 @@ stimuli::Manifest images_of(const stimuli::Study& study, const fs::path& data) {
 }
 
 base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) {
-    const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    const stimuli::Study study =
+        stimuli::load_study(study_named(options.study, globals), stimuli::SceneFiles::kTrusted);
     const kiosk::ChoiceModel choices = choices_from(options.observers, study);
     const fs::path file = options.store.empty()
                               ? globals.data / "rehearsal" / (study.name + ".sqlite")
@@ -62,17 +64,16 @@ base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) 
 
 std::function<base::ExitCode()> attach_rehearse(const Options& app, const Globals& globals) {
     auto options = std::make_shared<RehearseOptions>();
-    app.add("STUDY", options->study,
-            "Study file, or the name of a built-in study; default: jakobsen2010");
+    add_study(app, options->study);
     app.add("--participants", options->participants, "Simulated observers")
         .type("N")
         .required()
         .between(1, 100000);
     add_observer_options(app, options->observers);
-    app.add("--seed", options->seed, "Of the observers' answers [the study's]");
+    app.add("--seed", options->seed, "Of the observers' answers (default: the study's)");
     app.add("--store", options->store,
             "File for the answers, replaced unless it holds answers of participants "
-            "[DATA/rehearsal/STUDY.sqlite]")
+            "(default: DATA/rehearsal/STUDY.sqlite)")
         .type("FILE");
     app.footer(
         "The observers go through the kiosk's procedure on a clock of their own; every row of the "

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "app/commands/report_input.h"
+#include "renderer/base/version.h"
 
 #include <fmt/format.h>
 
-#include "app/kiosk/machine.h"
 #include "stimuli/embedded.h"
 #include "stimuli/manifest.h"
 #include "stimuli/stimulus.h"
@@ -83,7 +83,7 @@ void add_images(analysis::ReportInput& input, const ReportSources& sources,
 }  // namespace
 
 void add_sources(analysis::ReportInput& input, const ReportSources& sources) {
-    input.software = kiosk::software_version();
+    input.software = base::program_version();
     std::string name = input.analysis.tally.study;
     if (sources.study) {
         const stimuli::Study& study = *sources.study;

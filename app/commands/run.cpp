@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
+#include "app/commands/study_argument.h"
 
 #include <fmt/format.h>
 
@@ -36,16 +37,15 @@ void refuse_missing_folder(const std::string& url) {
 
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
-    const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
+    const std::string named = study_named(options.study, globals);
+    const stimuli::Study study = stimuli::load_study(named, stimuli::SceneFiles::kTrusted);
     if (const auto problems = kiosk::problems_of_texts(study); !problems.empty()) {
-        throw base::bad_input(
-            "{}", stimuli::to_lines(problems, stimuli::study_source(options.study).name));
+        throw base::bad_input("{}", stimuli::to_lines(problems, stimuli::study_source(named).name));
     }
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
-    kiosk_options.remedy =
-        fmt::format("obscura render {} --data {}", options.study, globals.data.string());
+    kiosk_options.remedy = fmt::format("obscura render {} --data {}", named, globals.data.string());
     kiosk_options.monitor = options.monitor;
     kiosk_options.windowed = options.windowed;
     kiosk::run_kiosk(study, kiosk_options);
@@ -54,9 +54,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
 
 std::function<base::ExitCode()> attach_run(const Options& command, const Globals& globals) {
     auto options = std::make_shared<RunOptions>();
-    command.add("study", options->study, "Study file, or name of a built-in study")
-        .type("STUDY")
-        .shows_default();
+    add_study(command, options->study);
     command
         .add("--db", options->store_url,
              "Response store: sqlite3://FILE or postgresql://... (default: "

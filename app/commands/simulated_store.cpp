@@ -80,6 +80,7 @@ void simulate_into_store(const stimuli::Study& study, const stimuli::Manifest& m
                          const kiosk::ChoiceModel& choices, const Simulation& simulation) {
     const fs::path& file = simulation.file;
     // Nobody's answers may come in between the question and the replacement.
+    if (file.has_parent_path()) fs::create_directories(file.parent_path());
     const kiosk::StoreLock lock(store_url_of(file));
     refuse_real_answers(file, simulation.option);
     const fs::path beside = file.string() + ".new";

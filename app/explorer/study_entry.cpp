@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "stimuli/starter_study.h"
 #include "stimuli/study_writer.h"
 
 namespace obscura::app::explorer {
@@ -160,8 +161,11 @@ StudyWritten write_into_study(const Model& model, const StudyEntry& entry) {
     const Choices& choices = model.choices();
     const bool exists = fs::exists(real.file, error);
     const std::string text = exists ? base::read_file(real.file)
-                                    : stimuli::new_study(real.file.stem().string(), choices.width,
-                                                         choices.height, choices.supersampling);
+                                    : stimuli::beginning_of({.name = real.file.stem().string(),
+                                                             .width = choices.width,
+                                                             .height = choices.height,
+                                                             .supersampling = choices.supersampling,
+                                                             .one_pair = true});
     const bool seen =
         !exists || (entry.known_sha256 && *entry.known_sha256 == base::sha256_hex(text));
     if (!seen && !entry.takes_changed_file) {

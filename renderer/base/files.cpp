@@ -110,19 +110,21 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
 
 void require_writable_folder(const fs::path& folder, std::string_view option) {
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw bad_input("{}: cannot make the folder {}: {}", option, folder.string(),
-                        error.message());
+    // What is not there yet is made where its nearest parent is; nothing is made before the work.
+    fs::path there = folder.empty() ? "." : folder;
+    while (!fs::exists(there, error)) {
+        const fs::path parent = there.parent_path();
+        there = parent.empty() ? "." : parent;
     }
-    if (!fs::is_directory(folder)) {
-        throw bad_input("{}: {} is not a folder", option, folder.string());
+    if (!fs::is_directory(there, error)) {
+        throw bad_input("{}: {} is not a folder", option, there.string());
     }
-    const fs::path probe = folder / fmt::format(".probe-{}", ::getpid());
+    const fs::path probe = there / fmt::format(".probe-{}", ::getpid());
     const int descriptor = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor < 0) {
-        throw bad_input("{}: cannot write in the folder {}: {}", option, folder.string(),
-                        std::strerror(errno));
+        throw bad_input("{}: cannot {} {}: {}", option,
+                        there == folder ? "write in the folder" : "make the folder",
+                        folder.string(), std::strerror(errno));
     }
     ::close(descriptor);
     ::unlink(probe.c_str());

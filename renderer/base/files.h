@@ -16,8 +16,8 @@ namespace obscura::base {
 /// system's reason (exit code 1), removes the partial file and leaves an existing `path` as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes the folder, with its parents, and proves that a file can be made in it. Throws bad input
-/// (exit code 2) naming `option` and the path when that is not so.
+/// Proves that a file can be made in the folder, or the folder itself; makes nothing. Throws bad
+/// input (exit code 2) naming `option` and the path when that is not so.
 void require_writable_folder(const std::filesystem::path& folder, std::string_view option);
 
 }  // namespace obscura::base

@@ -7,10 +7,13 @@
 
 #include <memory>
 
+#include "renderer/base/colour.h"
+
 namespace obscura::base::log {
 
 void set_up(bool quiet) {
     auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
+    if (!shows_colour()) sink->set_color_mode(spdlog::color_mode::never);
     auto logger = std::make_shared<spdlog::logger>("obscura", std::move(sink));
     logger->set_pattern("%^%v%$");
     logger->set_level(quiet ? spdlog::level::warn : spdlog::level::info);

@@ -34,7 +34,7 @@ class CommandsTest : public testing::Test {
     [[nodiscard]] Ending run(const Command& command, std::vector<std::string> arguments) const {
         Globals globals;
         globals.data = folder.path();
-        CommandLine line("", command.name, "");
+        CommandLine line("", command.name, [] { return std::string(); });
         Ending ending;
         testing::internal::CaptureStdout();
         try {
@@ -94,7 +94,7 @@ TEST_F(CommandsTest, BadInputEndsWithTwoAndWritesNothing) {
              {"--counts", kPublished, "--kind", "simulated", "--out", to},
              {"--db", "sqlite3://" + votes.string(), "--out", to},
              {"--kind", "practice", "--out", to},
-             {"--study", "another", "--out", to},
+             {"another", "--out", to},
              {"--counts", kPublished, "--out", votes.string()},
          }) {
         const Ending ending = run(analyze_command(), arguments);
@@ -123,9 +123,9 @@ TEST_F(CommandsTest, ExportWritesFilesAndRefusesUnknownFormats) {
 TEST_F(CommandsTest, ExportTakesOnlyTheStudyFileThatTheSessionsBeganWith) {
     const std::string to = (folder / "export").string();
     add_session(analysis::Kind::kParticipant);
-    const Ending other = run(export_command(), {"--out", to, "--study", "jakobsen2010"});
+    const Ending other = run(export_command(), {"--out", to, "jakobsen2010"});
     EXPECT_EQ(other.code, ExitCode::kBadInput);
-    EXPECT_THAT(other.message, AllOf(HasSubstr("--study jakobsen2010: its SHA-256 is"),
+    EXPECT_THAT(other.message, AllOf(HasSubstr("STUDY: jakobsen2010: its SHA-256 is"),
                                      HasSubstr(std::string(64, 'a'))));
     EXPECT_EQ(run(export_command(), {"--out", to, "--seed", "3"}).code, ExitCode::kBadInput);
     EXPECT_FALSE(fs::exists(to));

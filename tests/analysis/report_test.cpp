@@ -275,9 +275,9 @@ TEST(Tally, NeverMixesStudies) {
     rows.add(1, Kind::kParticipant, SessionState::kCompleted);
     rows.sessions.back().study = "another";
     EXPECT_THAT(refusal_of_report(rows, "", Kind::kParticipant),
-                HasSubstr("--study must name one of: another, jakobsen2010"));
+                HasSubstr("STUDY must name one of: another, jakobsen2010"));
     EXPECT_THAT(refusal_of_report(rows, "third", Kind::kParticipant),
-                HasSubstr("--study third: the store has no completed session of it"));
+                HasSubstr("STUDY third: the store has no completed session of it"));
     EXPECT_EQ(*tally_trials("s", rows.sessions, rows.trials, "another", Kind::kParticipant)
                    .n_participants,
               1);

@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/nearest.h"
 #include "stimuli/study_reader.h"
 #include "stimuli/table_reader.h"
 #include "tests/stimuli/study_fixture.h"
@@ -182,11 +183,11 @@ TEST(Study, AFolderOrAnUnreadableFileIsBadInput) {
 
 TEST(Nearest, GivesTheLikelyNameAndNothingFarFetched) {
     const std::vector<std::string> names{"grey_ms", "grey_level", "radius_m", "samples"};
-    EXPECT_EQ(nearest("grey_sm", names), "grey_ms");
-    EXPECT_EQ(nearest("smaples", names), "samples");
-    EXPECT_EQ(nearest("radius", names), "radius_m");
-    EXPECT_EQ(nearest("colour", names), std::nullopt);
-    EXPECT_EQ(nearest("", names), std::nullopt);
+    EXPECT_EQ(base::nearest("grey_sm", names), "grey_ms");
+    EXPECT_EQ(base::nearest("smaples", names), "samples");
+    EXPECT_EQ(base::nearest("radius", names), "radius_m");
+    EXPECT_EQ(base::nearest("colour", names), std::nullopt);
+    EXPECT_EQ(base::nearest("", names), std::nullopt);
 }
 
 TEST(Quotes, ShowAnyValueOnOneLine) {

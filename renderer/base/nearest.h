@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obscura::base {
+
+/// The name of `names` that `word` is most likely a misspelling of: the fewest letters inserted,
+/// removed, replaced or two neighbours exchanged, at most a third of the longer word; or nothing.
+[[nodiscard]] std::optional<std::string> nearest(std::string_view word,
+                                                 const std::vector<std::string>& names);
+
+}  // namespace obscura::base
