@@ -26,7 +26,8 @@ base::ExitCode pack(const PackOptions& options, const Globals& globals) {
     const std::string name =
         stimuli::parse_study(source.text, source.name, source.folder, stimuli::SceneFiles::kTrusted)
             .name;
-    const std::filesystem::path out = options.out.empty() ? name + ".zip" : options.out;
+    const std::filesystem::path out =
+        options.out.empty() ? std::filesystem::path(name + ".zip") : options.out;
     const stimuli::Package package = stimuli::pack(source, globals.data / "stimuli" / name, out);
     for (const stimuli::SceneLicence& one : package.licences) {
         if (one.licence.empty()) {
