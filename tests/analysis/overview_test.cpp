@@ -76,7 +76,7 @@ TEST(Overview, TheChartDrawsEveryRowThatHasAPlaceOnceAndSpansThem) {
     EXPECT_THAT(chart.script, HasSubstr("logscale x"));
     // From 0.5 to 1.25 of the yardstick, and from 0.09 to 0.25.
     EXPECT_THAT(chart.script, HasSubstr("set xrange [0.41666"));
-    EXPECT_THAT(chart.script, HasSubstr("set yrange [0.0739"));
+    EXPECT_THAT(chart.script, HasSubstr("set yrange [0.074"));
 }
 
 }  // namespace
