@@ -112,7 +112,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
             "Metres: how far every technique that has a radius looks, and the truth (default: the "
             "study's)");
     app.add("--denoise", request.filters,
-            "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
+            "Of " + names_of(renderer::denoise_filters()) +
+                " (default: separable, and a technique's own)")
         .comma_separated();
     app.add("--size", options->size,
             fmt::format("Of the images, in pixels (default: {}x{})", kUsualSize.width,

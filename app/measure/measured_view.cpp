@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/denoise/denoise.h"
 #include "renderer/technique/variant_setting.h"
 #include "stimuli/scenes/open_scene.h"
 
@@ -156,14 +155,12 @@ Variant as_asked(Variant variant, const MeasureRequest& request) {
     return variant;
 }
 
-std::vector<std::string> filters_of(const MeasureRequest& request) {
+/// Those asked for; else the usual one, and the technique's own where it has one.
+std::vector<std::string> filters_of(const MeasureRequest& request, const Technique& technique) {
     if (!request.filters.empty()) return request.filters;
-    if (request.quick) return {kPlottedFilter};
-    std::vector<std::string> filters;
-    for (const renderer::Denoise& filter : renderer::denoise_filters()) {
-        filters.push_back(filter.name);
-    }
-    return filters;
+    const std::string own = renderer::standard_denoise(technique);
+    if (request.quick || own == kPlottedFilter || own == "none") return {kPlottedFilter};
+    return {kPlottedFilter, own};
 }
 
 bool is_among(const std::vector<Valued>& list, const Variant& choice) {
@@ -377,7 +374,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
             // The other ways in which a study shows a technique get the settings it shows; all of
             // those that were asked for where some were.
             if (&way != &ways.front() && !says_which) continue;
-            for (const std::string& filter : filters_of(request)) {
+            for (const std::string& filter : filters_of(request, technique)) {
                 choice.denoise = filter;
                 for (const int count : samples_of(request, technique)) {
                     choice.samples = count;
