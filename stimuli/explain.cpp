@@ -75,7 +75,7 @@ std::string reasons_of(const Explained& one) {
 }
 
 /// The passes, buffers and omissions of one image.
-std::string explanation_of(const Study& study, const Explained& one) {
+std::string explanation_of_image(const Study& study, const Explained& one) {
     const renderer::FramePlan& plan = one.planned.plan();
     const StudyScene& scene = study.scene_of(*one.stimulus.condition);
     return fmt::format("\n{}: {} over {} ({}, camera {}), {}x{}\n{}{}", one.stimulus.file(),
@@ -93,7 +93,7 @@ std::string savings_of(const Explained& one) {
                        static_cast<double>(one.everything.plan().bytes()) / kMega);
 }
 
-Json json_of(const Study& study, const Explained& one) {
+Json json_of_explained(const Study& study, const Explained& one) {
     const renderer::FramePlan& plan = one.planned.plan();
     Json passes = Json::array();
     for (const renderer::PassTime& time : renderer::by_name(one.planned.times)) {
@@ -141,7 +141,7 @@ std::string explain(const Study& study, const Selection& selection, bool quiet,
     std::string savings =
         fmt::format("\n{:14} {:>10} {:>10} {:>10} {:>10}\n", "", "ms", "ms, all", "MB", "MB, all");
     each_explained(study, selection, quiet, catalogue, [&](const Explained& one) {
-        text += explanation_of(study, one);
+        text += explanation_of_image(study, one);
         savings += savings_of(one);
     });
     return text + savings;
@@ -152,7 +152,7 @@ std::string explain_json(const Study& study, const Selection& selection, bool qu
     const renderer::HeadlessContext context;
     Json images = Json::array();
     each_explained(study, selection, quiet, catalogue,
-                   [&](const Explained& one) { images.push_back(json_of(study, one)); });
+                   [&](const Explained& one) { images.push_back(json_of_explained(study, one)); });
     return images.dump(2) + "\n";
 }
 

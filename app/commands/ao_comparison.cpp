@@ -40,7 +40,7 @@ std::vector<float> depth_of(AoBuffers& buffers, const renderer::Camera& camera) 
     return buffers.trace(camera, options).depth_m;
 }
 
-std::string text_of(const FloatImage& image, const std::string& key) {
+std::string attribute_of(const FloatImage& image, const std::string& key) {
     const auto found = image.texts.find("obscura:" + key);
     return found == image.texts.end() ? "" : found->second;
 }
@@ -53,10 +53,10 @@ void refuse_another_view(const FloatImage& truth, const FloatImage& measured,
                               truth.width, truth.height, measured.width, measured.height);
     }
     for (const char* key : {"scene", "camera"}) {
-        const std::string of_truth = text_of(truth, key);
-        if (of_truth.empty() || of_truth == text_of(measured, key)) continue;
+        const std::string of_truth = attribute_of(truth, key);
+        if (of_truth.empty() || of_truth == attribute_of(measured, key)) continue;
         throw base::bad_input("--against: {} is of the {} {}, the buffer of {}", file, key,
-                              of_truth, text_of(measured, key));
+                              of_truth, attribute_of(measured, key));
     }
 }
 
@@ -70,8 +70,8 @@ Truth truth_of_file(AoBuffers& buffers, const renderer::Camera& camera, const Fl
         for (const auto& channel : image.channels) names += ' ' + channel.name;
         throw base::bad_input("--against: {} has no channel ao.Y; it has{}", file, names);
     }
-    const std::string radius = text_of(image, "radius_m");
-    const std::string own = text_of(measured, "radius_m");
+    const std::string radius = attribute_of(image, "radius_m");
+    const std::string own = attribute_of(measured, "radius_m");
     if (!radius.empty() && !own.empty() && radius != own) {
         notes.push_back(
             fmt::format("{} is of the radius {} m, the buffer of {} m", file, radius, own));
@@ -95,7 +95,7 @@ Truth traced_truth(AoBuffers& buffers, const renderer::Camera& camera,
             fmt::format("reference, {} rays, R {:g} m", truth.rays, options.radius_m)};
 }
 
-nlohmann::ordered_json json_of(const analysis::Possible<AccessibilityError>& error) {
+nlohmann::ordered_json json_of_error(const analysis::Possible<AccessibilityError>& error) {
     if (!error.has_value()) return {{"reason", error.reason}};
     return {{"rmse", error->rmse}, {"bias", error->bias},     {"mae", error->mae},
             {"p99", error->p99},   {"pixels", error->pixels}, {"nonfinite", error->nonfinite}};
@@ -210,8 +210,8 @@ std::string comparison_json(const std::vector<AoComparison>& comparisons) {
                         {"variant", one.variant},
                         {"truth", one.truth},
                         {"truth_stderr", one.truth_stderr},
-                        {"surfaces", json_of(one.surfaces)},
-                        {"inside", json_of(one.inside)},
+                        {"surfaces", json_of_error(one.surfaces)},
+                        {"inside", json_of_error(one.inside)},
                         {"files", files},
                         {"notes", one.notes}});
     }

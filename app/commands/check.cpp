@@ -74,7 +74,7 @@ Findings findings_of(const std::string& word, const Globals& globals) {
     return found;
 }
 
-void print_json(const Findings& found) {
+void print_findings_as_json(const Findings& found) {
     auto problems = Json::array();
     for (const stimuli::StudyProblem& problem : found.problems) {
         problems.push_back({{"line", problem.line}, {"message", problem.message}});
@@ -88,7 +88,7 @@ void print_json(const Findings& found) {
                            .dump(2));
 }
 
-void print_text(const Findings& found) {
+void print_findings(const Findings& found) {
     const std::string& name = found.source.name;
     for (const std::string& warning : found.warnings) {
         fmt::print("{}: warning: {}\n", name, warning);
@@ -104,11 +104,11 @@ void print_text(const Findings& found) {
 base::ExitCode check(const std::string& word, bool json, const Globals& globals) {
     const Findings found = findings_of(word, globals);
     if (json) {
-        print_json(found);
+        print_findings_as_json(found);
     } else if (!found.problems.empty()) {
         fmt::print("{}\n", stimuli::to_lines(found.problems, found.source.name));
     } else {
-        print_text(found);
+        print_findings(found);
     }
     return found.problems.empty() ? base::ExitCode::kDone : base::ExitCode::kBadInput;
 }

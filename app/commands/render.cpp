@@ -62,7 +62,7 @@ void print_pairs(const std::vector<stimuli::ManifestPair>& pairs) {
     }
 }
 
-void print_json(const stimuli::Generated& generated, const std::filesystem::path& folder) {
+void print_made_as_json(const stimuli::Generated& generated, const std::filesystem::path& folder) {
     auto pairs = nlohmann::ordered_json::array();
     for (const stimuli::ManifestPair& pair : generated.pairs) {
         pairs.push_back({{"condition", pair.condition},
@@ -101,7 +101,7 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     const stimuli::Generated generated =
         stimuli::generate(study, options.selection, folder, globals.quiet);
     if (options.json) {
-        print_json(generated, folder);
+        print_made_as_json(generated, folder);
         return base::ExitCode::kDone;
     }
     print_pairs(generated.pairs);

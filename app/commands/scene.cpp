@@ -31,7 +31,7 @@ struct SceneOptions {
     bool json = false;
 };
 
-Json json_of(const stimuli::OpenedScene& scene) {
+Json json_of_scene(const stimuli::OpenedScene& scene) {
     const renderer::Bounds bounds = renderer::bounds_of(*scene.scene);
     const auto vector = [](const glm::vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
     Json cameras = Json::array();
@@ -53,7 +53,7 @@ base::ExitCode list_scenes(bool json) {
     for (const stimuli::BuiltinScene& scene : stimuli::builtin_scenes()) {
         const stimuli::OpenedScene opened = stimuli::open_scene(scene.id);
         if (json) {
-            list.push_back(json_of(opened));
+            list.push_back(json_of_scene(opened));
         } else {
             fmt::print("{}", stimuli::summary_of(opened));
         }
@@ -77,7 +77,7 @@ base::ExitCode inspect(const SceneOptions& options) {
     const auto [width, height] = parse_size(options.size);
     const stimuli::OpenedScene scene = options.scene.open();
     if (options.json) {
-        fmt::print("{}\n", json_of(scene).dump(2));
+        fmt::print("{}\n", json_of_scene(scene).dump(2));
     } else if (options.all) {
         fmt::print("{}", stimuli::inspection_of(scene, choice, width, height));
     } else {

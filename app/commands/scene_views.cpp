@@ -138,7 +138,7 @@ stimuli::RgbImage sheet_of(const std::vector<stimuli::RgbImage>& images) {
     return sheet;
 }
 
-void print_lines(const std::vector<stimuli::FoundView>& views,
+void print_views(const std::vector<stimuli::FoundView>& views,
                  const std::vector<renderer::Camera>& own) {
     int number = 0;
     for (const stimuli::FoundView& view : views) {
@@ -153,8 +153,8 @@ void print_lines(const std::vector<stimuli::FoundView>& views,
     }
 }
 
-void print_json(const std::vector<stimuli::FoundView>& views,
-                const std::vector<renderer::Camera>& own) {
+void print_views_as_json(const std::vector<stimuli::FoundView>& views,
+                         const std::vector<renderer::Camera>& own) {
     Json found = Json::array();
     for (const stimuli::FoundView& view : views) {
         found.push_back({{"line", line_of(view.camera)},
@@ -177,7 +177,7 @@ base::ExitCode cameras(const ViewOptions& options) {
         if (!options.out.empty()) images.push_back(painter.paint(view.camera, 480, 270));
     }
     const std::vector<renderer::Camera>& own = painter.opened().scene->cameras;
-    options.json ? print_json(views, own) : print_lines(views, own);
+    options.json ? print_views_as_json(views, own) : print_views(views, own);
     if (!images.empty()) {
         base::write_file_atomically(options.out, stimuli::encode_png(sheet_of(images)));
         base::log::info("{}: the {} views that were found, from left to right, three in a row",
