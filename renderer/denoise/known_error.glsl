@@ -70,10 +70,10 @@ void main() {
         sum += weight * tap.xy;
         weights += weight;
     }
-    vec2 mean = sum / weights;
+    // Division need not be exactly rounded: the mean of ones may come out as more than one.
+    vec2 mean = w > 1.0 / kBackgroundLimit_m ? min(sum / weights, 1.0) : vec2(1.0);
 #ifdef ACROSS
-    bool seen = w > 1.0 / kBackgroundLimit_m;
-    o_packed = vec4(seen ? mean : vec2(1.0), w, own.w);
+    o_packed = vec4(mean, w, own.w);
 #else
     float variance = max(mean.y - mean.x * mean.x, 0.0);
     float count = float(max(u_samples, 1));
