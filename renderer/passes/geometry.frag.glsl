@@ -24,7 +24,6 @@ layout(location = 3) out vec4 o_emission;
 
 void main() {
 #ifdef DEPTH
-    // Before anything is discarded: it takes the neighbours too.
     float depth_m = depth_of_sample(v_view_position);
 #endif
 #ifdef CUT_OUT
