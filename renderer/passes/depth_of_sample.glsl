@@ -3,8 +3,9 @@
 // Positive view distance where the middle of a sample meets the surface, metres. Graphics cards snap
 // vertices to a grid of 1/256 pixel and interpolate between what was snapped: what comes is a point of
 // the surface, but up to that far beside the sample's middle, which on a surface seen at a grazing
-// angle is another depth: .08 % where one row is a fifth farther than the last. The change of depth
-// over the image takes it back. A rasteriser that does not interpolate so pays no rounding for it.
+// angle is another depth: .08 % where one row is a fifth farther than the last. The reciprocal of depth
+// is linear in the image on a triangle, so its change takes that back whole. A rasteriser that does
+// not interpolate so pays no rounding for it.
 // To be called before anything is discarded: it takes the neighbours too.
 uniform vec2 u_ray_to_px;  // pixels per view x, y per metre of depth
 uniform vec2 u_axis_px;    // where the view's axis meets the image, pixels
@@ -13,7 +14,9 @@ const float kBeside = 5.0e-7;  // view x, y per metre of depth: a few roundings
 
 float depth_of_sample(vec3 surface) {
     precise float depth_m = -surface.z;
-    precise vec2 beside = surface.xy / depth_m - (gl_FragCoord.xy - u_axis_px) / u_ray_to_px;
-    precise float over_m = dot(vec2(dFdx(depth_m), dFdy(depth_m)), beside * u_ray_to_px);
-    return any(greaterThan(abs(beside), vec2(kBeside))) ? depth_m - over_m : depth_m;
+    precise float w = 1.0 / depth_m;
+    precise vec2 beside = surface.xy * w - (gl_FragCoord.xy - u_axis_px) / u_ray_to_px;
+    precise float right = w - dot(vec2(dFdx(w), dFdy(w)), beside * u_ray_to_px);
+    bool moved = any(greaterThan(abs(beside), vec2(kBeside))) && right > 0.0;
+    return moved ? 1.0 / right : depth_m;
 }
