@@ -88,7 +88,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
             "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
         .comma_separated();
     app.add("--filters", request.filters,
-            "Of " + names_of(renderer::denoise_filters()) + " (default: all)")
+            "Of " + names_of(renderer::denoise_filters()) +
+                " (default: separable, and a technique's own)")
         .comma_separated();
     app.add("--size", options->size,
             fmt::format("WxH of the images, pixels (default: {}x{})", kUsualSize.width,
