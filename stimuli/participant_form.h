@@ -26,9 +26,8 @@ enum class FieldKind {
     kScale,    ///< a whole number, by buttons
     kCode      ///< stands for the participant; typed, scanned, or made by the kiosk
 };
-inline constexpr std::array kFieldKinds{FieldKind::kText,    FieldKind::kNumber,
-                                        FieldKind::kChoice,  FieldKind::kChoices,
-                                        FieldKind::kScale,   FieldKind::kCode};
+inline constexpr std::array kFieldKinds{FieldKind::kText,    FieldKind::kNumber, FieldKind::kChoice,
+                                        FieldKind::kChoices, FieldKind::kScale,  FieldKind::kCode};
 [[nodiscard]] std::string_view to_string(FieldKind kind);
 
 /// Characters that a text of the form or a code may have.

@@ -109,8 +109,8 @@ void read_kind_of_field(TableReader& reader, const std::string& where, FormField
         case FieldKind::kChoice:
         case FieldKind::kChoices: {
             const std::size_t least = field.kind == FieldKind::kChoice ? 2 : 1;
-            field.choices = read_texts(reader, where, "choices", Need::kRequired, least,
-                                       kMostChoices, study);
+            field.choices =
+                read_texts(reader, where, "choices", Need::kRequired, least, kMostChoices, study);
             break;
         }
         case FieldKind::kCode:
@@ -212,8 +212,7 @@ void read_consent(const toml::table& table, Study& study, Problems& problems) {
         reader.add("version", "is empty, allowed is a text");
     }
     consent.text = read_shown_text(reader, "consent", "text", Need::kOptional, study);
-    consent.items =
-        read_texts(reader, "consent", "items", Need::kRequired, 1, kMostItems, study);
+    consent.items = read_texts(reader, "consent", "items", Need::kRequired, 1, kMostItems, study);
     reader.finish();
     study.consent = std::move(consent);
 }
@@ -231,15 +230,14 @@ void read_form(const toml::table& table, Study& study, Problems& problems) {
         const toml::table* entry = node.as_table();
         if (entry == nullptr) continue;
         const auto id = (*entry)["id"].value<std::string>();
-        const std::string where =
-            id ? fmt::format("form.field {}", in_quotes(*id))
-               : fmt::format("form.field {}", study.form.size() + 1);
+        const std::string where = id ? fmt::format("form.field {}", in_quotes(*id))
+                                     : fmt::format("form.field {}", study.form.size() + 1);
         TableReader field_reader(*entry, where, problems);
         study.form.push_back(read_field(field_reader, where, study));
         const FormField& field = study.form.back();
         if (!field.id.empty() && !seen.insert(field.id).second) {
-            field_reader.add("id", fmt::format("{} is used twice, each must be another",
-                                               in_quotes(field.id)));
+            field_reader.add(
+                "id", fmt::format("{} is used twice, each must be another", in_quotes(field.id)));
         }
         if (field.kind == FieldKind::kCode && std::exchange(has_code, true)) {
             field_reader.add("kind", "\"code\" is used twice, a participant has one code");

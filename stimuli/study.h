@@ -94,9 +94,9 @@ struct Study {
     std::string title;
     std::string question;
     std::string instructions;
-    std::string thanks;  ///< text of the last page; empty: the kiosk's own
-    Words words;         ///< the kiosk's own, in the study's language and as it replaces them
-    std::string information;         ///< page before all others; empty: none
+    std::string thanks;       ///< text of the last page; empty: the kiosk's own
+    Words words;              ///< the kiosk's own, in the study's language and as it replaces them
+    std::string information;  ///< page before all others; empty: none
     std::optional<Consent> consent;  ///< on a page of its own; nothing: a tick on the form
     std::vector<FormField> form;     ///< instead of the kiosk's own questions; empty: those
     int width = 1280;

@@ -27,7 +27,7 @@ auto by(const std::vector<Record>& records, Key Record::*key) {
 /// The hashes under which each study was run.
 using StudyHashes = std::map<std::string, std::set<std::string>>;
 
-StudyHashes study_files(const StoreContents& store) {
+StudyHashes study_files(const StoreRows& store) {
     StudyHashes hashes;
     for (const SessionRecord& session : store.sessions) {
         hashes[session.study].insert(session.study_sha256);
@@ -35,7 +35,7 @@ StudyHashes study_files(const StoreContents& store) {
     return hashes;
 }
 
-StudyHashes study_images(const StoreContents& store) {
+StudyHashes study_images(const StoreRows& store) {
     const auto sessions = by(store.sessions, &SessionRecord::session_id);
     StudyHashes hashes;
     for (const EventRecord& event : store.events) {
@@ -46,7 +46,7 @@ StudyHashes study_images(const StoreContents& store) {
     return hashes;
 }
 
-void require_same(const StudyHashes& into, const StudyHashes& from, const StoreContents& store,
+void require_same(const StudyHashes& into, const StudyHashes& from, const StoreRows& store,
                   const std::string& there, std::string_view what) {
     for (const auto& [study, hashes] : from) {
         const auto known = into.find(study);
@@ -62,7 +62,7 @@ void require_same(const StudyHashes& into, const StudyHashes& from, const StoreC
     }
 }
 
-[[nodiscard]] base::Error contradicts(const StoreContents& from, const std::string& there,
+[[nodiscard]] base::Error contradicts(const StoreRows& from, const std::string& there,
                                       std::string_view what, const std::string& name) {
     return base::bad_input("{}: {} {} is in {} too, and says something else; nothing was merged",
                            from.name, what, name, there);
@@ -79,8 +79,7 @@ bool is_same_session(SessionRecord one, const SessionRecord& other) {
 /// One merge, of `from_` into what the database holds.
 class Merging {
   public:
-    Merging(Database& database, const StoreContents& from)
-        : from_(from), session_(database.session()) {
+    Merging(Database& database, const StoreRows& from) : from_(from), session_(database.session()) {
         there_ = {database.name(), rows_of(database, participants_table()),
                   rows_of(database, sessions_table()), rows_of(database, trials_table()),
                   rows_of(database, events_table())};
@@ -202,15 +201,15 @@ class Merging {
         }
     }
 
-    const StoreContents& from_;
+    const StoreRows& from_;
     soci::session& session_;
-    StoreContents there_;
+    StoreRows there_;
     std::map<std::pair<std::string, int>, const TrialRecord*> trials_;
     MergedRows merged_;
 };
 
 }  // namespace
 
-MergedRows merge(Database& into, const StoreContents& from) { return Merging(into, from).run(); }
+MergedRows merge(Database& into, const StoreRows& from) { return Merging(into, from).run(); }
 
 }  // namespace obscura::analysis

@@ -16,6 +16,7 @@ Command run_command();
 Command check_command();
 Command export_command();
 Command measure_command();
+Command merge_command();
 Command plan_command();
 Command power_command();
 Command rehearse_command();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/form_answers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -76,6 +78,11 @@ std::string form_json(const std::vector<FormField>& fields,
         nlohmann::ordered_json row = {
             {"field", field.id}, {"kind", to_string(field.kind)}, {"label", field.label}};
         if (!field.unit.empty()) row["unit"] = field.unit;
+        if (!field.choices.empty()) row["choices"] = field.choices;
+        if (field.labels.size() == 2) {
+            row["levels"] = {{fmt::format("{}", *field.min), field.labels[0]},
+                             {fmt::format("{}", *field.max), field.labels[1]}};
+        }
         row["value"] = value_of(field, i < answers.size() ? answers[i] : FieldAnswer{});
         rows.push_back(std::move(row));
     }

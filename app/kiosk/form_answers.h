@@ -26,8 +26,9 @@ enum class FieldProblem { kNone, kMissing, kNoNumber, kOutOfRange };
 [[nodiscard]] std::optional<double> number_in(const std::string& text);
 
 /// Fields and answers as the store keeps them: a JSON array of objects with field, kind, label,
-/// unit (of a number) and value, null where nothing was answered. `answers` are in the order of the
-/// fields; those that are missing count as none.
+/// unit (of a number), choices, levels (what the ends of a scale mean) and value, null where
+/// nothing was answered. `answers` are in the order of the fields; those that are missing count as
+/// none.
 [[nodiscard]] std::string form_json(const std::vector<stimuli::FormField>& fields,
                                     const std::vector<FieldAnswer>& answers);
 

@@ -54,6 +54,7 @@ constexpr double kImageWait_s = 0.5;
                                               const stimuli::Study& study) {
     if (is_operators_key(press)) return LeaveRequested{};
     if (screen == Screen::kThanks && is_operators_key(press, 'n')) return NextParticipant{};
+    if (screen == Screen::kKnownCode && is_operators_key(press, 'o')) return CodeConfirmed{};
     if (is_still(screen)) {
         if (advances(press, study)) return SpacePressed{};
         return std::nullopt;
@@ -114,9 +115,8 @@ bool SessionRunner::save() {
                          nothing_waits ? "what comes next" : describe(journal_.waiting().front()),
                          *reason);
         const Trouble trouble =
-            nothing_waits
-                ? Trouble{words("store_moved"), *reason, words("store_moved_text")}
-                : trouble_of(journal_.waiting().front(), *reason, words);
+            nothing_waits ? Trouble{words("store_moved"), *reason, words("store_moved_text")}
+                          : trouble_of(journal_.waiting().front(), *reason, words);
         if (ask_about_trouble(stage_, trouble) == TroubleChoice::kLeave) {
             for (const Row& row : journal_.waiting())
                 base::log::error("not saved: {}", describe(row));
@@ -300,7 +300,16 @@ void SessionRunner::draw_page() {
             pressed = start_screen(fonts);
             break;
         case Screen::kForm:
-            pressed = form_screen(fonts, form_);
+            pressed = form_screen(fonts, stage_.study, form_, procedure_.plan().known_codes);
+            break;
+        case Screen::kInformation:
+            pressed = information_screen(fonts, stage_.study);
+            break;
+        case Screen::kConsent:
+            pressed = consent_screen(fonts, *stage_.study.consent, form_);
+            break;
+        case Screen::kKnownCode:
+            pressed = known_code_screen(fonts, procedure_.known_code());
             break;
         case Screen::kInstructions:
             pressed = instructions_screen(fonts, stage_.study);

@@ -88,9 +88,8 @@ constexpr std::size_t kNamed = 6;  // characters that a sentence names
     }
     std::vector<std::string> problems;
     if (!control.empty()) {
-        problems.push_back(
-            fmt::format("cannot be shown: {}: a control character is no text: take it out",
-                        listed(control)));
+        problems.push_back(fmt::format(
+            "cannot be shown: {}: a control character is no text: take it out", listed(control)));
     }
     for (const auto& [package, characters] : packages) {
         problems.push_back(

@@ -83,8 +83,7 @@ using Cairo = std::unique_ptr<cairo_t, Unreferenced<cairo_destroy>>;
 /// The pixels of a layout within that rectangle.
 [[nodiscard]] unsigned draw_texture(PangoLayout* layout, const PangoRectangle& part,
                                     unsigned colour) {
-    const Surface surface(
-        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, part.width, part.height));
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, part.width, part.height));
     const Cairo cairo(cairo_create(surface.get()));
     cairo_translate(cairo.get(), -part.x, -part.y);
     const auto channel = [colour](unsigned shift) {
@@ -126,13 +125,12 @@ struct Typesetter::Pango {
         pango_layout_set_spacing(
             layout.get(), static_cast<int>(std::round(setting.between_lines_px)) * PANGO_SCALE);
         if (setting.width_px > 0.0F) {
-            pango_layout_set_width(layout.get(),
-                                   static_cast<int>(setting.width_px) * PANGO_SCALE);
+            pango_layout_set_width(layout.get(), static_cast<int>(setting.width_px) * PANGO_SCALE);
         }
         // A sentence of a language from right to left stays one where it begins with a Latin word.
         const auto characters = characters_in(text);
-        const bool of_the_page = right_to_left && std::any_of(characters.begin(), characters.end(),
-                                                              runs_from_the_right);
+        const bool of_the_page =
+            right_to_left && std::any_of(characters.begin(), characters.end(), runs_from_the_right);
         pango_layout_set_auto_dir(layout.get(), of_the_page ? FALSE : TRUE);
         // Pango's left is where the context's own direction begins.
         pango_layout_set_alignment(layout.get(), setting.centred ? PANGO_ALIGN_CENTER
@@ -147,8 +145,7 @@ Typesetter::Typesetter(const std::string& language, bool right_to_left, Draws dr
     PangoContext* context = pango_->context.get();
     pango_->right_to_left = right_to_left;
     pango_context_set_language(context, pango_language_from_string(language.c_str()));
-    pango_context_set_base_dir(context,
-                               right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
+    pango_context_set_base_dir(context, right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
@@ -171,30 +168,33 @@ const SetText& Typesetter::set(const std::string& text, const Setting& setting) 
     uses_.push_back({text, setting.colour});
     const auto [found, is_new] = entries_.try_emplace({text, setting});
     Entry& entry = found->second;
-    entry.used = true;
+    entry.pages_ago = 0;
     if (!is_new) return entry.text;
     const LaidOut layout = pango_->lay_out(text, setting);
     PangoRectangle ink;
     PangoRectangle line;
     pango_layout_get_pixel_extents(layout.get(), &ink, &line);
-    entry.text = {static_cast<float>(line.x), static_cast<float>(line.width),
-                  static_cast<float>(line.height), {}};
+    entry.text = {static_cast<float>(line.x),
+                  static_cast<float>(line.width),
+                  static_cast<float>(line.height),
+                  {}};
     if (draws_ == Draws::kNothing || ink.width <= 0) return entry.text;
     for (int top = 0; top < ink.height; top += kTileHeight_px) {
         const PangoRectangle part{ink.x, ink.y + top, ink.width,
                                   std::min(kTileHeight_px, ink.height - top)};
-        entry.text.tiles.push_back({draw_texture(layout.get(), part, setting.colour),
-                                    static_cast<float>(part.x - line.x),
-                                    static_cast<float>(part.y - line.y),
-                                    static_cast<float>(part.width),
-                                    static_cast<float>(part.height)});
+        entry.text.tiles.push_back(
+            {draw_texture(layout.get(), part, setting.colour), static_cast<float>(part.x - line.x),
+             static_cast<float>(part.y - line.y), static_cast<float>(part.width),
+             static_cast<float>(part.height)});
     }
     return entry.text;
 }
 
 void Typesetter::forget_unused() {
+    // The pages of a pair come again with each pair, and are not set anew.
+    constexpr int kKept = 6;
     for (auto at = entries_.begin(); at != entries_.end();) {
-        if (std::exchange(at->second.used, false)) {
+        if (at->second.pages_ago++ < kKept) {
             ++at;
         } else {
             free(at->second.text);

@@ -14,11 +14,11 @@ namespace obscura::app::kiosk {
 
 /// How a text is to be set.
 struct Setting {
-    float text_px = 16.0F;         ///< height of a line of DejaVu Sans, as Dear ImGui counts it
-    float width_px = 0.0F;         ///< lines break there; 0: one line
+    float text_px = 16.0F;  ///< height of a line of DejaVu Sans, as Dear ImGui counts it
+    float width_px = 0.0F;  ///< lines break there; 0: one line
     float between_lines_px = 0.0F;
-    unsigned colour = 0;  ///< as Dear ImGui packs it (IM_COL32)
-    bool centred = false;          ///< else each paragraph begins at its own side
+    unsigned colour = 0;   ///< as Dear ImGui packs it (IM_COL32)
+    bool centred = false;  ///< else each paragraph begins at its own side
     auto operator<=>(const Setting&) const = default;
 };
 
@@ -40,7 +40,8 @@ struct SetText {
 };
 
 /// Sets texts of any script by Pango: shaping, right to left, line breaking, and a font for every
-/// character that one of this machine has. Everything is in whole pixels, so that it is drawn crisp.
+/// character that one of this machine has. Everything is in whole pixels, so that it is drawn
+/// crisp.
 class Typesetter {
   public:
     enum class Draws { kTextures, kNothing };
@@ -55,7 +56,7 @@ class Typesetter {
 
     /// Valid until forget_unused().
     [[nodiscard]] const SetText& set(const std::string& text, const Setting& setting);
-    /// Frees what was not set since the last call.
+    /// To be called when a page begins; frees what the last few pages did not have.
     void forget_unused();
 
     /// Where the caret stands before the byte at that index of one line, from its left.
@@ -79,7 +80,7 @@ class Typesetter {
     struct Pango;
     struct Entry {
         SetText text;
-        bool used = false;
+        int pages_ago = 0;
     };
     void free(const SetText& text) const;
 

@@ -25,12 +25,11 @@ constexpr float kParagraphGap = 0.25F;
 /// In the font and colour of the moment; 0 wide: on one line.
 [[nodiscard]] const SetText& set_text(const std::string& text, float width_px = 0.0F,
                                       bool centred = false) {
-    return page_state().tools.typesetter->set(
-        text, {.text_px = ImGui::GetFontSize(),
-               .width_px = std::floor(width_px),
-               .between_lines_px = times_text(kLeading),
-               .colour = ImGui::GetColorU32(ImGuiCol_Text),
-               .centred = centred});
+    return page_state().tools.typesetter->set(text, {.text_px = ImGui::GetFontSize(),
+                                                     .width_px = std::floor(width_px),
+                                                     .between_lines_px = times_text(kLeading),
+                                                     .colour = ImGui::GetColorU32(ImGuiCol_Text),
+                                                     .centred = centred});
 }
 
 /// A text as wide as the card, as an item of Dear ImGui.
@@ -170,7 +169,8 @@ namespace {
     const bool here = is_stop && begin_stop(id, kind);
     const bool clicked = ImGui::Button("##button", {width_px, height_px});
     const ImVec2 from = ImGui::GetItemRectMin();
-    draw_text(text, {from.x + padding.x + text.left_px, from.y + 0.5F * (height_px - text.height_px)});
+    draw_text(text,
+              {from.x + padding.x + text.left_px, from.y + 0.5F * (height_px - text.height_px)});
     const bool pressed = is_stop && end_stop(id, here);
     ImGui::PopID();
     ImGui::PopStyleColor(colours);
@@ -202,12 +202,12 @@ template <typename DrawMark>
     const bool clicked = ImGui::InvisibleButton("##choice", {width, height});
     const ImVec2 from = ImGui::GetItemRectMin();
     const bool right = is_mirrored();
-    draw_mark(ImVec2{right ? from.x + width - side : from.x, from.y},
-              ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered
-                                                        : ImGuiCol_FrameBg));
+    draw_mark(
+        ImVec2{right ? from.x + width - side : from.x, from.y},
+        ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
     const float line_px = std::min(text.height_px, side);
     draw_text(text, {from.x + (right ? 0.0F : side + mark_gap_px()) + text.left_px,
-                from.y + 0.5F * (side - line_px)});
+                     from.y + 0.5F * (side - line_px)});
     const bool pressed = end_stop(id, here);
     ImGui::PopID();
     return clicked || pressed;
@@ -251,8 +251,7 @@ bool radio(SideBySide& row, const std::string& label, bool chosen) {
 
 void tick(const std::string& label, bool& ticked) {
     const float room = ImGui::GetContentRegionAvail().x;
-    const float label_px =
-        std::min(std::ceil(text_width(label)), room - mark_px() - mark_gap_px());
+    const float label_px = std::min(std::ceil(text_width(label)), room - mark_px() - mark_gap_px());
     SideBySide row(0.0F);
     row.next(mark_px() + mark_gap_px() + label_px);
     const bool shown = ticked;

@@ -34,8 +34,8 @@ TEST(PostgresAddress, ItsPasswordIsInNoMessageHoweverItIsGiven) {
           "postgresql://lab/answers?user=reader&password=secret&sslmode=require",
           "postgresql://lab/answers?sslpassword=secret&user=reader",
           "host=lab user=reader password=secret dbname=answers",
-          "host=lab password = 'se\\'secret cret' user=reader",
-          "password=secret", "postgresql://reader:secret@lab:port/answers",
+          "host=lab password = 'se\\'secret cret' user=reader", "password=secret",
+          "postgresql://reader:secret@lab:port/answers",
           "postgresql://reader:secret@lab/answers?nonsense=1", "host=lab password='secret",
           "postgresql://re%zzader:secret@lab/answers"}) {
         EXPECT_THAT(without_password(url), Not(HasSubstr("secret@"))) << url;
@@ -79,7 +79,8 @@ TEST(PostgresStore, OpensByEveryFormOfAddressThatLibpqTakes) {
     ::setenv("PGSERVICEFILE", (folder / "services").c_str(), 1);
     { tests::add_completed(*std::make_unique<Store>(url, Store::Access::kReadWrite), 0); }
     for (const std::string& form :
-         {url, postgres, fmt::format("postgresql://operator:unused@127.0.0.1:{}/{}", port, database),
+         {url, postgres,
+          fmt::format("postgresql://operator:unused@127.0.0.1:{}/{}", port, database),
           fmt::format("postgresql:///{}?host=127.0.0.1&port={}&user=operator", database, port),
           fmt::format("postgresql://operator@127.0.0.1:1,127.0.0.1:{}/{}", port, database),
           fmt::format("postgresql://operator@localhost:{}/{}?hostaddr=127.0.0.1", port, database),

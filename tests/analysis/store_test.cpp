@@ -65,11 +65,10 @@ class StoreTest : public testing::TestWithParam<const char*> {
     }
 
     tests::TemporaryFolder folder;
-    std::string url = GetParam() == std::string("SQLite")
-                          ? "sqlite3://" + (folder / "with blank, 100% \"quoted\"" /
-                                            "responses.sqlite")
-                                               .string()
-                          : tests::PostgresServer::shared().new_database();
+    std::string url =
+        GetParam() == std::string("SQLite")
+            ? "sqlite3://" + (folder / "with blank, 100% \"quoted\"" / "responses.sqlite").string()
+            : tests::PostgresServer::shared().new_database();
 };
 
 INSTANTIATE_TEST_SUITE_P(Both, StoreTest, testing::Values("SQLite", "PostgreSQL"),

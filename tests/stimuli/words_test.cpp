@@ -103,7 +103,8 @@ TEST(KioskWords, ATagThatIsNoLanguageIsNone) {
 
 TEST(PoFile, ATextOverSeveralLinesIsOneAndSignsAreTakenByTheirEscapes) {
     const auto entries = parse_po(
-        "# note\nmsgid \"\"\nmsgstr \"Language: xx\\n\"\n\nmsgctxt \"a\"\nmsgid \"A\"\nmsgstr \"\"\n"
+        "# note\nmsgid \"\"\nmsgstr \"Language: xx\\n\"\n\nmsgctxt \"a\"\nmsgid \"A\"\nmsgstr "
+        "\"\"\n"
         "\"one \"\n\"two\\n\\\"three\\\" \\\\\"\n\nmsgctxt \"b\"\nmsgid \"B\"\nmsgstr \"\"",
         "x.po");
     ASSERT_EQ(entries.size(), 2U);

@@ -34,9 +34,8 @@ int free_port() {
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof(address);
-    const bool bound =
-        ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
-        ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+                       ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
     ::close(socket);
     if (!bound) throw std::runtime_error("no free port");
     return ntohs(address.sin_port);
@@ -86,10 +85,10 @@ PostgresServer::PostgresServer()
             throw std::runtime_error("no user postgres: install postgresql-15");
         }
     }
-    const pid_t made = spawn({std::string(kPrograms) + "initdb", "-D", (folder_ / "data").string(),
-                              "-U", "operator", "-A", "trust", "-E", "UTF8", "--locale=C.UTF-8",
-                              "--no-sync", "--no-instructions"},
-                             folder_ / "log");
+    const pid_t made = spawn(
+        {std::string(kPrograms) + "initdb", "-D", (folder_ / "data").string(), "-U", "operator",
+         "-A", "trust", "-E", "UTF8", "--locale=C.UTF-8", "--no-sync", "--no-instructions"},
+        folder_ / "log");
     int status = -1;
     ::waitpid(made, &status, 0);
     if (status != 0) throw std::runtime_error("initdb fails, see " + (folder_ / "log").string());
@@ -107,11 +106,13 @@ void PostgresServer::start() {
                       std::to_string(port_), "-h", "127.0.0.1", "-k", "", "-c", "fsync=off", "-c",
                       "max_connections=60"},
                      folder_ / "log");
-    const std::string url = fmt::format("host=127.0.0.1 port={} user=operator dbname=postgres", port_);
+    const std::string url =
+        fmt::format("host=127.0.0.1 port={} user=operator dbname=postgres", port_);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience_s);
     while (PQping(url.c_str()) != PQPING_OK) {
         if (std::chrono::steady_clock::now() > end) {
-            throw std::runtime_error("PostgreSQL does not start, see " + (folder_ / "log").string());
+            throw std::runtime_error("PostgreSQL does not start, see " +
+                                     (folder_ / "log").string());
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
@@ -120,11 +121,6 @@ void PostgresServer::start() {
 void PostgresServer::stop() {
     ::kill(process_, SIGQUIT);
     ::waitpid(process_, nullptr, 0);
-}
-
-void PostgresServer::restart() {
-    stop();
-    start();
 }
 
 void PostgresServer::execute(const std::string& sql, const std::string& database) const {

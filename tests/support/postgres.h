@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <sys/types.h>
 #include <filesystem>
 #include <string>
-#include <sys/types.h>
 
 namespace obscura::tests {
 
@@ -25,13 +25,16 @@ class PostgresServer {
     /// Runs a statement in a database, as the user who may do everything.
     void execute(const std::string& sql, const std::string& database = "postgres") const;
     [[nodiscard]] int port() const { return port_; }
-    /// Stops the server at once, as a crash does, and starts it anew.
-    void restart();
+    /// Stops the server at once, as a crash does.
+    void stop();
+    void start();
+    void restart() {
+        stop();
+        start();
+    }
 
   private:
     PostgresServer();
-    void start();
-    void stop();
 
     std::filesystem::path folder_;
     int port_ = 0;

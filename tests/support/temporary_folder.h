@@ -17,8 +17,8 @@ class TemporaryFolder {
     TemporaryFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
-                (std::string("obscura-") + plain(test->test_suite_name()) + "-" + plain(test->name()) + "-" +
-                 std::to_string(::getpid()));
+                (std::string("obscura-") + plain(test->test_suite_name()) + "-" +
+                 plain(test->name()) + "-" + std::to_string(::getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

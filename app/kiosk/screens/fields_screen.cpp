@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/kiosk/screens.h"
 #include "app/kiosk/widgets.h"
@@ -63,9 +64,9 @@ void entry_field(const Fonts& fonts, const FormField& field, FieldDraft& draft) 
     const bool number = field.kind == FieldKind::kNumber;
     SideBySide row(ImGui::GetStyle().ItemSpacing.x);
     const float room = ImGui::GetContentRegionAvail().x;
-    const float width = number                              ? times_text(7.0F)
-                        : field.kind == FieldKind::kCode    ? std::min(room, times_text(14.0F))
-                                                            : room;
+    const float width = number                           ? times_text(7.0F)
+                        : field.kind == FieldKind::kCode ? std::min(room, times_text(14.0F))
+                                                         : room;
     row.next(width);
     text_field("##entry", draft.entry, width);
     if (number && !field.unit.empty()) row_text(row, field.unit);

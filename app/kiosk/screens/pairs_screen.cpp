@@ -85,8 +85,8 @@ std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count) {
     };
     const auto foot = [&] {
         if (enter_pressed()) event = PairPressed{next};
-        hint(fonts, words()("done", {{"done", std::to_string(next)},
-                                    {"count", std::to_string(count)}}));
+        hint(fonts,
+             words()("done", {{"done", std::to_string(next)}, {"count", std::to_string(count)}}));
     };
     card("##pairs", std::max(24.0F, 4.0F + columns * (grid.column + 0.6F)), body, foot);
     return event;

@@ -15,7 +15,7 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
     std::optional<Event> event;
     const auto body = [&] {
         hint(fonts, words()("pair_of", {{"pair", std::to_string(pair + 1)},
-                                       {"count", std::to_string(count)}}));
+                                        {"count", std::to_string(count)}}));
         heading(fonts, study.question);
     };
     const auto foot = [&] {

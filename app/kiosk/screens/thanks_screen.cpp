@@ -14,9 +14,7 @@ void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::s
             gap(0.2F);
             paragraph(saved_note);
         },
-        [&] {
-            hint(fonts, words()("thanks_keys"));
-        });
+        [&] { hint(fonts, words()("thanks_keys")); });
 }
 
 }  // namespace obscura::app::kiosk

@@ -77,9 +77,8 @@ TEST_F(TextCheck, WhatNoFontHasIsRefusedNamingThePackageThatHelps) {
 
 TEST_F(TextCheck, EveryTextOfAStudyIsLookedAtAndNamedByItsLineAndKey) {
     stimuli::Study study;
-    study.shown_texts = {{"study: title", 3, "Study"},
-                         {"study: question", 5, "ภาพไหน"},
-                         {"texts: begin", 9, "कौन"}};
+    study.shown_texts = {
+        {"study: title", 3, "Study"}, {"study: question", 5, "ภาพไหน"}, {"texts: begin", 9, "कौन"}};
     const auto problems = problems_of_texts(study);
     EXPECT_THAT(stimuli::to_lines(problems, "a.toml"),
                 AllOf(HasSubstr("a.toml:5: study: question: cannot be shown"),
