@@ -262,6 +262,13 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     const toml::table* texts = reader.table("texts", Need::kOptional);
     if (table != nullptr) read_study_table(*table, texts, study, problems);
 
+    const toml::table* information = reader.table("information", Need::kOptional);
+    if (information != nullptr) read_information(*information, study, problems);
+    const toml::table* consent = reader.table("consent", Need::kOptional);
+    if (consent != nullptr) read_consent(*consent, study, problems);
+    const toml::table* form = reader.table("form", Need::kOptional);
+    if (form != nullptr) read_form(*form, study, problems);
+
     std::set<std::string> seen;
     KnownScenes known;
     const auto scenes = read_entries(reader, "scene");

@@ -144,7 +144,11 @@ const RecordTable<ParticipantRecord>& participants_table() {
         {column<&R::participant_id>("participant_id"), column<&R::kind>("kind"),
          column<&R::age_years>("age_years"), column<&R::gender>("gender"),
          column<&R::normal_vision>("normal_vision"), column<&R::naive>("naive"),
-         column<&R::consent>("consent"), column<&R::created_utc>("created_utc")}};
+         column<&R::consent>("consent"), column<&R::created_utc>("created_utc"),
+         column<&R::code, TextOrNull>("code"),
+         column<&R::consent_version, TextOrNull>("consent_version"),
+         column<&R::consent_items, TextOrNull>("consent_items"),
+         column<&R::consent_utc, TextOrNull>("consent_utc"), column<&R::form, TextOrNull>("form")}};
     return table;
 }
 
@@ -172,7 +176,8 @@ const RecordTable<SessionRecord>& sessions_table() {
                                        column<&R::display>("display"),
                                        column<&R::refresh_hz>("refresh_hz"),
                                        column<&R::exclusion, TextOrNull>("exclusion"),
-                                       column<&R::study_plan, TextOrNull>("study_plan")}};
+                                       column<&R::study_plan, TextOrNull>("study_plan"),
+                                       column<&R::slot_copy>("slot_copy")}};
     return table;
 }
 

@@ -46,6 +46,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
     kiosk_options.remedy =
         fmt::format("obscura render {} --data {}", options.study, globals.data.string());
+    kiosk_options.backups = globals.data / "backups";
     kiosk_options.monitor = options.monitor;
     kiosk_options.windowed = options.windowed;
     kiosk::run_kiosk(study, kiosk_options);

@@ -49,6 +49,33 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
     return store_url.starts_with("sqlite3://");
 }
 
+/// A session must not end for want of room.
+void refuse_full_disk(const std::string& store_url) {
+    constexpr std::uintmax_t kLeastBytes = 100'000'000;
+    if (!is_file(store_url)) return;
+    const std::filesystem::path file = analysis::store_address(store_url).file;
+    std::error_code error;
+    const auto space = std::filesystem::space(std::filesystem::absolute(file).parent_path(), error);
+    if (error || space.available >= kLeastBytes) return;
+    throw base::failure(
+        "the disk of the store {} has room for {} MB only, needed are {} MB: make room, or choose "
+        "another place with --db",
+        file.string(), space.available / 1'000'000, kLeastBytes / 1'000'000);
+}
+
+/// Times of day are stored with the answers, and order them.
+void refuse_clock_that_ran_backwards(analysis::Store& store) {
+    constexpr double kMost_s = 60.0;
+    const std::string latest = store.latest_utc();
+    if (latest.empty()) return;
+    const std::string now = utc_now();
+    if (seconds_between(now, latest) <= kMost_s) return;
+    throw base::failure(
+        "the clock ran backwards: it is {} now, and the store has answers of {}: set the clock of "
+        "this machine",
+        now, latest);
+}
+
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
     if (!is_file(store_url)) return words("all_saved");
     return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
@@ -58,13 +85,25 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
 class Kiosk {
   public:
     Kiosk(const stimuli::Study& study, const stimuli::Manifest& manifest, analysis::Store& store,
-          Stage& stage)
-        : study_(study), manifest_(manifest), store_(store), stage_(stage) {
+          Stage& stage, std::filesystem::path backups, std::optional<Spool> spool)
+        : study_(study),
+          manifest_(manifest),
+          store_(store),
+          stage_(stage),
+          backups_(std::move(backups)),
+          spool_(std::move(spool)) {
         machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
                     stage.window.display(), stage.window.refresh_hz()};
     }
 
     void run() {
+        if (spool_ && spool_->waits()) {
+            const auto delivered = with_store("deliver what was kept on this machine", [&] {
+                spool_->deliver(store_);
+                return true;
+            });
+            if (!delivered) return;
+        }
         const auto cut_off = with_store("find the sessions that were cut off", [&] {
             return store_.open_sessions(study_.name, Kind::kParticipant);
         });
@@ -73,7 +112,10 @@ class Kiosk {
         for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
             end = settle(cut_off->at(i));
         }
-        while (end == End::kDone) end = run_new_session();
+        while (end == End::kDone) {
+            end = run_new_session();
+            back_up();
+        }
     }
 
     /// Rows that the operator gave up.
@@ -101,12 +143,30 @@ class Kiosk {
         }
     }
 
+    /// After each session; that it cannot be is said, and keeps nobody from taking part.
+    void back_up() {
+        constexpr std::size_t kKept = 20;
+        try {
+            const auto file = store_.back_up(backups_, utc_now(), kKept);
+            if (file) base::log::info("the answers are copied to {}", file->string());
+        } catch (const std::exception& error) {
+            base::log::warn("the answers are saved, but not copied: {}", error.what());
+        }
+    }
+
     End run_new_session() {
+        struct Known {
+            std::vector<std::uint64_t> slots;
+            std::vector<std::string> codes;
+        };
         const auto taken = with_store("find the next order of the pairs", [&] {
-            return store_.taken_slots(study_.name, study_.seed, Kind::kParticipant);
+            return Known{store_.taken_slots(study_.name, study_.seed, Kind::kParticipant),
+                         store_.codes_of(study_.name)};
         });
         if (!taken) return End::kLeft;
-        Procedure procedure(study_, new_plan(*taken));
+        SessionPlan plan = new_plan(taken->slots);
+        plan.known_codes = taken->codes;
+        Procedure procedure(study_, std::move(plan));
         return play(procedure, {});
     }
 
@@ -121,7 +181,8 @@ class Kiosk {
     }
 
     End play(Procedure& procedure, std::vector<Row> rows) {
-        Journal journal = journal_to(store_, study_, procedure);
+        Journal journal = spool_ ? journal_to(store_, study_, procedure, *spool_)
+                                 : journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
         const End end = SessionRunner(stage_, procedure, journal).run();
         unsaved_ += journal.waiting().size();
@@ -195,14 +256,27 @@ class Kiosk {
             elapsed_s =
                 std::max(elapsed_s, trials.back().question_onset_s + trials.back().response_time_s);
         }
+        if (spool_) follow(session, trials);
         Procedure procedure(study_, std::move(plan));
         return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
+    }
+
+    /// Makes a session that goes on whole for the spool, as far as the server had it.
+    void follow(const analysis::SessionRecord& session,
+                const std::vector<analysis::TrialRecord>& trials) {
+        for (const auto& participant : store_.participants()) {
+            if (participant.participant_id != session.participant_id) continue;
+            spool_->follow(BeginSession{participant, session, {}});
+        }
+        for (const analysis::TrialRecord& trial : trials) spool_->follow(trial);
     }
 
     const stimuli::Study& study_;
     const stimuli::Manifest& manifest_;
     analysis::Store& store_;
     Stage& stage_;
+    std::filesystem::path backups_;
+    std::optional<Spool> spool_;  ///< of a store on a server
     Machine machine_;
     std::size_t unsaved_ = 0;
 };
@@ -220,6 +294,8 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
+    refuse_full_disk(options.store_url);
+    refuse_clock_that_ran_backwards(store);
     Ui ui(window, study.words, study.grey_level);
     Stage stage{window,
                 ui,
@@ -236,7 +312,10 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
             "that one file has every answer whenever a page is shown: copy it as it is");
     }
     base::log::info("{}", stimuli::Words()("operators_key"));
-    Kiosk kiosk(study, manifest, store, stage);
+    std::optional<Spool> spool;
+    if (!is_file(options.store_url))
+        spool.emplace(options.backups.parent_path(), options.store_url);
+    Kiosk kiosk(study, manifest, store, stage, options.backups, std::move(spool));
     kiosk.run();
     if (kiosk.unsaved() > 0) {
         throw base::failure(

@@ -12,6 +12,7 @@ namespace obscura::app::kiosk {
 struct KioskOptions {
     std::filesystem::path folder;  ///< of the study's images and manifest
     std::string store_url;
+    std::filesystem::path backups;  ///< folder for copies of an SQLite store
     std::string
         remedy;  ///< the command that makes the images, for the message that they are missing
     int monitor = 0;

@@ -82,6 +82,16 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
     };
     note("the instructions are",
          [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); });
+    if (!study.information.empty()) {
+        note("the information is",
+             [&](const Fonts& fonts) { (void)information_screen(fonts, study); });
+    }
+    FormDraft draft;
+    if (study.consent) {
+        note("the consent is",
+             [&](const Fonts& fonts) { (void)consent_screen(fonts, *study.consent, draft); });
+    }
+    note("the form is", [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); });
     note("the question is",
          [&](const Fonts& fonts) { (void)question_screen(fonts, study, 0, count); });
     note("the thanks are",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "renderer/base/error.h"
@@ -24,10 +25,19 @@ template <typename T>
 
 }  // namespace
 
-FormProblems problems_of(const Form& form) {
-    return {.age = !form.age_years || *form.age_years < kYoungest_years ||
-                   *form.age_years > kOldest_years,
-            .consent = !form.consent};
+FormProblems problems_of(const Form& form, const stimuli::Study& study) {
+    FormProblems problems;
+    problems.consent = !study.consent && !form.consent;
+    if (study.form.empty()) {
+        problems.age =
+            !form.age_years || *form.age_years < kYoungest_years || *form.age_years > kOldest_years;
+        return problems;
+    }
+    for (std::size_t i = 0; i < study.form.size(); ++i) {
+        const FieldAnswer answer = i < form.fields.size() ? form.fields[i] : FieldAnswer{};
+        if (problem_of(study.form[i], answer) != FieldProblem::kNone) problems.fields = true;
+    }
+    return problems;
 }
 
 Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)
@@ -123,12 +133,25 @@ bool Procedure::takes(const Moment& pressed) const {
 std::vector<Row> Procedure::participant_did(const Event& event, const Moment& now) {
     switch (screen_) {
         case Screen::kStart:
-            if (is<StartPressed>(event)) show(Screen::kForm);
+            if (is<StartPressed>(event)) show(after(Screen::kStart));
+            break;
+        case Screen::kInformation:
+            if (is<InformationRead>(event)) show(after(Screen::kInformation));
+            break;
+        case Screen::kConsent:
+            if (is<ConsentGiven>(event)) {
+                consent_utc_ = now.utc;
+                show(after(Screen::kConsent));
+            }
             break;
         case Screen::kForm:
             if (const auto* submitted = std::get_if<FormSubmitted>(&event)) {
-                if (problems_of(submitted->form).none()) return begin(submitted->form, now);
+                return submit(submitted->form, now);
             }
+            break;
+        case Screen::kKnownCode:
+            if (is<CodeTakenBack>(event)) show(Screen::kForm);
+            if (is<CodeConfirmed>(event)) return begin(submitted_, now);
             break;
         case Screen::kInstructions:
             if (is<InstructionsRead>(event)) {
@@ -177,18 +200,64 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
     return {};
 }
 
+/// The page that comes next of those before the form, which a study may have or not.
+Screen Procedure::after(Screen screen) const {
+    if (screen == Screen::kStart && !study_->information.empty()) return Screen::kInformation;
+    if (screen != Screen::kConsent && study_->consent) return Screen::kConsent;
+    return Screen::kForm;
+}
+
+std::vector<Row> Procedure::submit(const Form& form, const Moment& now) {
+    if (!problems_of(form, *study_).none()) return {};
+    const std::string code = code_in(study_->form, form.fields);
+    const bool is_known = std::any_of(plan_.known_codes.begin(), plan_.known_codes.end(),
+                                      [&](const auto& other) { return is_same_code(code, other); });
+    if (code.empty() || !is_known) return begin(form, now);
+    submitted_ = form;
+    show(Screen::kKnownCode);
+    return {};
+}
+
+analysis::ParticipantRecord Procedure::participant_record(const Form& form,
+                                                          const Moment& now) const {
+    analysis::ParticipantRecord record{.participant_id = plan_.participant_id,
+                                       .kind = plan_.kind,
+                                       .age_years = form.age_years,
+                                       .gender = form.gender,
+                                       .normal_vision = form.normal_vision,
+                                       .naive = form.naive,
+                                       .consent = form.consent || study_->consent.has_value(),
+                                       .created_utc = now.utc};
+    if (study_->consent) {
+        record.consent_version = study_->consent->version;
+        record.consent_items = nlohmann::json(study_->consent->items).dump();
+        record.consent_utc = consent_utc_;
+    }
+    if (study_->form.empty()) return record;
+    record.form = form_json(study_->form, form.fields);
+    record.code = code_in(study_->form, form.fields);
+    // What the kiosk asks itself has its own columns.
+    for (std::size_t i = 0; i < study_->form.size() && i < form.fields.size(); ++i) {
+        const stimuli::FormField& field = study_->form[i];
+        const std::string text = trimmed(form.fields[i].text);
+        const auto number = number_in(text);
+        if (field.id == "age" && field.kind == stimuli::FieldKind::kNumber && number &&
+            *number >= kYoungest_years && *number <= kOldest_years) {
+            record.age_years = static_cast<int>(*number);
+        }
+        const bool in_words =
+            field.kind == stimuli::FieldKind::kText || field.kind == stimuli::FieldKind::kChoice;
+        if (field.id == "gender" && in_words) record.gender = text;
+    }
+    return record;
+}
+
 std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
+    const bool code_was_known = screen_ == Screen::kKnownCode;
     began_ = true;
     began_s_ = now.time_s;
     BeginSession rows;
-    rows.participant = {.participant_id = plan_.participant_id,
-                        .kind = plan_.kind,
-                        .age_years = form.age_years,
-                        .gender = form.gender,
-                        .normal_vision = form.normal_vision,
-                        .naive = form.naive,
-                        .consent = form.consent,
-                        .created_utc = now.utc};
+    rows.participant = participant_record(form, now);
     rows.session = {.session_id = plan_.session_id,
                     .participant_id = plan_.participant_id,
                     .kind = plan_.kind,
@@ -212,6 +281,9 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
                     .exclusion = study_->exclusion.to_json(),
                     .study_plan = study_->plan_json()};
     rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
+    if (code_was_known) {
+        rows.events.push_back(event_record("code known", "the operator went on with it", now));
+    }
     show(Screen::kInstructions);
     return {std::move(rows)};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/store/records.h"
+#include "app/kiosk/form_answers.h"
 #include "app/kiosk/session_plan.h"
 #include "stimuli/study.h"
 
@@ -17,7 +18,10 @@ namespace obscura::app::kiosk {
 /// What is to be on the screen.
 enum class Screen {
     kStart,         ///< waits for a participant
+    kInformation,   ///< the study's text before all else, where it has one
+    kConsent,       ///< what the participant agrees to, where the study has it on a page of its own
     kForm,          ///< who takes part
+    kKnownCode,     ///< a code that took part before: the operator decides
     kInstructions,  ///< the study's text
     kPairs,         ///< one button for each pair, of which only the next is enabled
     kFirstImage,
@@ -32,6 +36,7 @@ enum class Screen {
 
 /// What the participant filled in.
 struct Form {
+    std::vector<FieldAnswer> fields = {};  ///< in the order of the study's own, where it has them
     std::optional<int> age_years;
     std::string gender;  ///< free text, or kRatherNotSayStored; empty: no answer
     std::optional<bool> normal_vision;
@@ -43,17 +48,24 @@ inline constexpr const char* kRatherNotSayStored = "rather not say";
 inline constexpr int kYoungest_years = 1;
 inline constexpr int kOldest_years = 120;
 
-/// What keeps the form from being accepted. Consent and an age from 1 to 120 are needed; the other
-/// questions may stay unanswered.
+/// What keeps the form from being accepted. Of the kiosk's own an age from 1 to 120 is needed, of a
+/// study's own what it requires; and the consent, unless that has a page of its own.
 struct FormProblems {
     bool age = false;
+    bool fields = false;  ///< any of the study's
     bool consent = false;
-    [[nodiscard]] bool none() const { return !age && !consent; }
+    [[nodiscard]] bool none() const { return !age && !fields && !consent; }
 };
-[[nodiscard]] FormProblems problems_of(const Form& form);
+[[nodiscard]] FormProblems problems_of(const Form& form, const stimuli::Study& study);
 
 // What can happen. An event that the screen has no use for is ignored.
 struct StartPressed {};
+struct InformationRead {};
+struct ConsentGiven {};  ///< to each of its items
+/// The code on the form was a mistake.
+struct CodeTakenBack {};
+/// The operator goes on with a code that took part before.
+struct CodeConfirmed {};
 struct FormSubmitted {
     Form form;
 };
@@ -86,9 +98,11 @@ struct ScreenSeen {};
 struct LeaveRequested {};
 struct LeaveConfirmed {};
 struct LeaveCancelled {};
-using Event = std::variant<StartPressed, FormSubmitted, InstructionsRead, PairPressed, SpacePressed,
-                           Answered, NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden,
-                           ScreenSeen, LeaveRequested, LeaveConfirmed, LeaveCancelled>;
+using Event =
+    std::variant<StartPressed, InformationRead, ConsentGiven, CodeTakenBack, CodeConfirmed,
+                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered,
+                 NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden, ScreenSeen,
+                 LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
 /// When an event happened.
 struct Moment {
@@ -152,6 +166,10 @@ class Procedure {
     /// The screen takes what is pressed from then on; nothing before it is visible. The operator's
     /// wish to leave is taken at any time.
     [[nodiscard]] double takes_presses_from_s() const { return takes_presses_from_s_; }
+    /// The code that took part before, on the screen kKnownCode.
+    [[nodiscard]] std::string known_code() const {
+        return code_in(study_->form, submitted_.fields);
+    }
     /// The pair that is next or being shown, from 0; pair_count() after the last.
     [[nodiscard]] int pair() const { return pair_; }
     [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
@@ -165,6 +183,8 @@ class Procedure {
     /// While the grey interval is visible: when the second image is due to be visible.
     [[nodiscard]] std::optional<double> second_image_due_s() const;
     [[nodiscard]] const SessionPlan& plan() const { return plan_; }
+    /// The study's own questions on the form.
+    [[nodiscard]] const std::vector<stimuli::FormField>& fields() const { return study_->form; }
 
   private:
     /// What is known of the trial under way.
@@ -184,7 +204,11 @@ class Procedure {
     void end_came_into_view(double time_s);
     [[nodiscard]] bool takes(const Moment& pressed) const;
     std::vector<Row> participant_did(const Event& event, const Moment& now);
+    std::vector<Row> submit(const Form& form, const Moment& now);
     std::vector<Row> begin(const Form& form, const Moment& now);
+    [[nodiscard]] analysis::ParticipantRecord participant_record(const Form& form,
+                                                                 const Moment& now) const;
+    [[nodiscard]] Screen after(Screen screen) const;
     std::vector<Row> answer(bool first, const Moment& now);
     std::vector<Row> hide(const std::string& why, const Moment& now);
     std::vector<Row> see_again(const Moment& now);
@@ -216,7 +240,9 @@ class Procedure {
     std::optional<double> gone_since_s_;  ///< hidden or covered since then
     std::string hidden_why_;              ///< empty: not hidden
     double hidden_since_s_ = 0.0;
-    double latest_s_;  ///< of all events taken
+    double latest_s_;          ///< of all events taken
+    Form submitted_;           ///< what the operator is asked about
+    std::string consent_utc_;  ///< when it was given on its page
     bool began_ = false;
     double began_s_ = 0.0;
     int pair_ = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,15 @@ enum class Gender { kUnanswered, kFemale, kMale, kOwnWords, kRatherNotSay };
 /// Of the gender in own words, in characters.
 inline constexpr std::size_t kLongestOwnWords = 100;
 
-/// The form as it is being filled in.
+/// A field of the study's form as it is being filled in.
+struct FieldDraft {
+    TextEntry entry{stimuli::kLongestFieldText};
+    std::string chosen;  ///< empty: nothing
+    std::deque<bool> ticked;
+    bool to_fill = false;  ///< the keyboard is to go there
+};
+
+/// All that is filled in before the instructions, as it stands.
 struct FormDraft {
     /// What the keyboard is to fill in next.
     enum class ToFill { kNothing, kAge, kOwnWords, kConsent };
@@ -37,11 +46,29 @@ struct FormDraft {
     std::optional<bool> normal_vision;
     std::optional<bool> heard_of_purpose;
     bool consent = false;
+    std::vector<FieldDraft> fields;  ///< the study's
+    std::deque<bool> agreed;         ///< to the items of the consent
+    bool asked_for_consent = false;
     bool submitted = false;  ///< once; from then on complaints are shown
     ToFill to_fill = ToFill::kNothing;
 };
-[[nodiscard]] Form form_of(const FormDraft& draft);
-[[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft);
+[[nodiscard]] Form form_of(const FormDraft& draft, const stimuli::Study& study);
+/// `known_codes` are those that a new one may not be.
+[[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, const stimuli::Study& study,
+                                               FormDraft& draft,
+                                               const std::vector<std::string>& known_codes = {});
+/// The study's own questions on that page, and what is filled in.
+void draw_fields(const Fonts& fonts, const std::vector<stimuli::FormField>& fields,
+                 FormDraft& draft, const std::vector<std::string>& known_codes);
+[[nodiscard]] FieldAnswer answer_in(const stimuli::FormField& field, const FieldDraft& draft);
+
+[[nodiscard]] std::optional<Event> information_screen(const Fonts& fonts,
+                                                      const stimuli::Study& study);
+[[nodiscard]] std::optional<Event> consent_screen(const Fonts& fonts,
+                                                  const stimuli::Consent& consent,
+                                                  FormDraft& draft);
+/// Only the operator goes on with the code, by a key.
+[[nodiscard]] std::optional<Event> known_code_screen(const Fonts& fonts, const std::string& code);
 
 [[nodiscard]] std::optional<Event> instructions_screen(const Fonts& fonts,
                                                        const stimuli::Study& study);

@@ -35,6 +35,7 @@ struct SessionPlan {
     analysis::Kind kind = analysis::Kind::kParticipant;
     stimuli::SessionOrder order;
     Machine machine;
+    std::vector<std::string> known_codes = {};         ///< of those who took part before
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
 };
 
@@ -46,7 +47,7 @@ struct SessionPlan {
 [[nodiscard]] std::string digest_of(const std::vector<std::array<StimulusImage, 2>>& images);
 
 /// Name of the event that remembers digest_of() when a session begins.
-inline constexpr const char* kStimuliEvent = "stimuli digest";
+inline constexpr const char* kStimuliEvent = analysis::kStimuliDigestEvent;
 
 /// The plan of an open session, to continue it. Throws bad input that says why this cannot be: the
 /// study file, the order or an image is not what the session began with. `events` are those of the

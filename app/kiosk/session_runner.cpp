@@ -55,6 +55,7 @@ constexpr double kImageWait_s = 0.5;
                                               const stimuli::Study& study) {
     if (is_operators_key(press)) return LeaveRequested{};
     if (screen == Screen::kThanks && is_operators_key(press, 'n')) return NextParticipant{};
+    if (screen == Screen::kKnownCode && is_operators_key(press, 'o')) return CodeConfirmed{};
     if (is_still(screen)) {
         if (advances(press, study)) return SpacePressed{};
         return std::nullopt;
@@ -300,7 +301,16 @@ void SessionRunner::draw_page() {
             pressed = start_screen(fonts);
             break;
         case Screen::kForm:
-            pressed = form_screen(fonts, form_);
+            pressed = form_screen(fonts, stage_.study, form_, procedure_.plan().known_codes);
+            break;
+        case Screen::kInformation:
+            pressed = information_screen(fonts, stage_.study);
+            break;
+        case Screen::kConsent:
+            pressed = consent_screen(fonts, *stage_.study.consent, form_);
+            break;
+        case Screen::kKnownCode:
+            pressed = known_code_screen(fonts, procedure_.known_code());
             break;
         case Screen::kInstructions:
             pressed = instructions_screen(fonts, stage_.study);

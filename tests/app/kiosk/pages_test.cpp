@@ -111,7 +111,7 @@ class Pages : public testing::Test {
         return show([this] { return instructions_screen(ui_.fonts(), study_); });
     }
     [[nodiscard]] ShownPage show_form() {
-        return show([this] { return form_screen(ui_.fonts(), form_); });
+        return show([this] { return form_screen(ui_.fonts(), study_, form_); });
     }
 
     stimuli::Study study_ = small_study(3);
@@ -239,7 +239,7 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
     const Fonts& fonts = ui.fonts();
     const std::vector<Draw> pages{
         [&] { return start_screen(fonts); },
-        [&] { return form_screen(fonts, form); },
+        [&] { return form_screen(fonts, study, form); },
         [&] { return instructions_screen(fonts, study); },
         [&] { return pairs_screen(fonts, 40, 64); },
         [&] { return question_screen(fonts, study, 0, 64); },
@@ -339,9 +339,9 @@ TEST_F(Pages, ChosenOwnWordsTakeTheTypingAtOnceAndKeepEveryScript) {
     page.press(GLFW_KEY_SPACE);
     EXPECT_EQ(form_.gender, Gender::kOwnWords);
     page.type(U"\U0001F98A \u5973 \u0623\u0646\u062B\u0649");
-    EXPECT_EQ(form_of(form_).gender,
+    EXPECT_EQ(form_of(form_, study_).gender,
               "\xF0\x9F\xA6\x8A \xE5\xA5\xB3 \xD8\xA3\xD9\x86\xD8\xAB\xD9\x89");
-    EXPECT_EQ(form_of(form_).age_years, 30);
+    EXPECT_EQ(form_of(form_, study_).age_years, 30);
 }
 
 TEST_F(Pages, KeysThatCameFasterThanFramesGoWhereTheFocusWasThen) {
@@ -362,9 +362,9 @@ TEST_F(Pages, KeysThatCameFasterThanFramesGoWhereTheFocusWasThen) {
 }
 
 TEST_F(Pages, RatherNotSayIsNotTheSameAsNoAnswer) {
-    EXPECT_EQ(form_of(form_).gender, "");
+    EXPECT_EQ(form_of(form_, study_).gender, "");
     form_.gender = Gender::kRatherNotSay;
-    EXPECT_EQ(form_of(form_).gender, "rather not say");
+    EXPECT_EQ(form_of(form_, study_).gender, "rather not say");
 }
 
 TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {

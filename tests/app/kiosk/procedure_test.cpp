@@ -108,8 +108,8 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
     for (const std::optional<int> age : {std::optional<int>(), {0}, {121}, {-1}}) {
         Form form = Script::filled_form();
         form.age_years = age;
-        EXPECT_FALSE(problems_of(form).none());
-        EXPECT_FALSE(problems_of(form).consent);
+        EXPECT_FALSE(problems_of(form, study).none());
+        EXPECT_FALSE(problems_of(form, study).consent);
         Script script(study);
         script.shown_at(0);
         script.at(1, StartPressed{});
@@ -120,9 +120,9 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
     }
     Form form = Script::filled_form();
     form.consent = false;
-    EXPECT_TRUE(problems_of(form).consent);
+    EXPECT_TRUE(problems_of(form, study).consent);
     form = {.age_years = 1, .gender = "", .normal_vision = {}, .naive = {}, .consent = true};
-    EXPECT_TRUE(problems_of(form).none());
+    EXPECT_TRUE(problems_of(form, study).none());
 }
 
 TEST(Procedure, NothingShortensTheGreyInterval) {
