@@ -68,7 +68,7 @@ class StudySimulator {
   private:
     void order_up_to(int participants) {
         if (orders_.size() >= static_cast<std::size_t>(participants)) return;
-        orders_ = stimuli::session_orders(study_.order, static_cast<int>(study_.conditions.size()),
+        orders_ = stimuli::session_orders(study_.order, study_.pair_count(),
                                           study_.seed, static_cast<std::uint64_t>(participants),
                                           study_.sides);
     }
@@ -231,7 +231,7 @@ double Frequency::error() const { return std::sqrt(share() * (1.0 - share()) / s
 std::vector<VerdictPower> power_of_study(const stimuli::Study& study, const PowerRequest& request) {
     StudySimulator simulator(study, request.seed);
     const int block = static_cast<int>(
-        stimuli::block_size(study.order, static_cast<int>(study.conditions.size())));
+        stimuli::block_size(study.order, study.pair_count()));
     std::vector<Scenario> scenarios;
     const analysis::Family family = analysis::family_of(simulator.planned());
     for (const auto& hypothesis : family.hypotheses) {

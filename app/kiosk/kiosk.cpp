@@ -14,6 +14,7 @@
 #include "app/kiosk/machine.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/session_runner.h"
+#include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/store_lock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
@@ -288,7 +289,9 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
     refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
-    Window window({options.monitor, options.windowed, {study.width, study.height}});
+    const Extent image{study.width, study.height};
+    const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
+    Window window({options.monitor, options.windowed, beside ? room_beside(image) : image});
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
     // lock: `obscura demo` may have replaced the file in between.
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
@@ -296,12 +299,12 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
     refuse_full_disk(options.store_url);
     refuse_clock_that_ran_backwards(store);
-    Ui ui(window, study.words, study.grey_level);
+    Ui ui(window, study.words, study.presentation.grey_level);
     Stage stage{window,
                 ui,
                 study,
                 options.folder,
-                measure_pace(window, study.grey_level),
+                measure_pace(window, study.presentation.grey_level),
                 saved_note(study.words, options.store_url)};
     base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                     stage.pace.locked ? "presenting waits for the refresh"

@@ -23,11 +23,15 @@ enum class Screen {
     kForm,          ///< who takes part
     kKnownCode,     ///< a code that took part before: the operator decides
     kInstructions,  ///< the study's text
-    kPairs,         ///< one button for each pair, of which only the next is enabled
+    kPairs,         ///< one button for each pair, of which only the next is enabled; or just that
     kFirstImage,
-    kGrey,  ///< the interval between the two images, which nothing shortens
+    kInterval,  ///< between the two images; nothing shortens it
     kSecondImage,
+    kBothImages,    ///< in place of these three, where they are shown side by side
     kQuestion,      ///< which of the two?
+    kFeedback,      ///< whether the answer to a pair of practice was the expected one
+    kPracticeOver,  ///< from now on it counts
+    kBreak,
     kThanks,        ///< the session is complete
     kConfirmLeave,  ///< the operator asked to leave
     kDone,          ///< the participant is done: the next one gets a new Procedure
@@ -71,12 +75,14 @@ struct FormSubmitted {
 };
 struct InstructionsRead {};
 struct PairPressed {
-    int pair = 0;  ///< from 0, in order of showing
+    int pair = 0;  ///< as Progress counts them
 };
 struct SpacePressed {};  ///< or what else the study lets end the look at an image
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
+/// From feedback, the end of practice or a break.
+struct WentOn {};
 struct NextParticipant {};
 /// The first frame of the screen asked for last is visible.
 struct ScreenPresented {
@@ -100,7 +106,7 @@ struct LeaveConfirmed {};
 struct LeaveCancelled {};
 using Event =
     std::variant<StartPressed, InformationRead, ConsentGiven, CodeTakenBack, CodeConfirmed,
-                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered,
+                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered, WentOn,
                  NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden, ScreenSeen,
                  LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
@@ -128,9 +134,17 @@ struct CompleteSession {
 using Row =
     std::variant<BeginSession, analysis::TrialRecord, CompleteSession, analysis::EventRecord>;
 
-/// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D: form,
-/// instructions, and for each pair its button, the first image until space, the grey interval, the
-/// second image until space, the question. There is no way back to an image.
+/// Where a participant is in the pairs, as the pages say it: in practice or in what counts.
+struct Progress {
+    int pair = 0;  ///< next or being shown, from 0
+    int count = 0;
+    bool practice = false;
+};
+
+/// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D unless the study
+/// says otherwise: form, instructions, and for each pair its button, the first image until space,
+/// the grey interval, the second image until space, the question. Practice comes before the pairs
+/// that count, breaks between them. There is no way back to an image.
 ///
 /// It knows no window, clock or database. Events go in; out come the rows to commit, and then the
 /// screen to show. Nothing a participant does counts before the screen is visible
@@ -170,9 +184,12 @@ class Procedure {
     [[nodiscard]] std::string known_code() const {
         return code_in(study_->form, submitted_.fields);
     }
-    /// The pair that is next or being shown, from 0; pair_count() after the last.
+    /// The pair that is next or being shown, from 0, practice first; pair_count() after the last.
     [[nodiscard]] int pair() const { return pair_; }
-    [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
+    [[nodiscard]] int pair_count() const { return plan_.pair_count(); }
+    [[nodiscard]] Progress progress() const;
+    /// On the screen kFeedback: whether the answer was the expected one.
+    [[nodiscard]] bool was_expected() const { return was_expected_; }
     /// Whether the session has begun and is not complete.
     [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
     /// Whether the screen is hidden; it is shown, and ScreenPresented due, only after ScreenSeen.
@@ -180,8 +197,11 @@ class Procedure {
     [[nodiscard]] bool hidden() const { return !hidden_why_.empty(); }
     /// The image of that pair shown first (position 0) or second (position 1).
     [[nodiscard]] const StimulusImage& image(int pair, int position) const;
-    /// While the grey interval is visible: when the second image is due to be visible.
-    [[nodiscard]] std::optional<double> second_image_due_s() const;
+    /// While the visible screen goes by itself, as the interval does: when the next one is due to
+    /// be visible.
+    [[nodiscard]] std::optional<double> next_due_s() const;
+    /// The screen that comes after such a one.
+    [[nodiscard]] Screen next_in_pair() const;
     [[nodiscard]] const SessionPlan& plan() const { return plan_; }
     /// The study's own questions on the form.
     [[nodiscard]] const std::vector<stimuli::FormField>& fields() const { return study_->form; }
@@ -190,7 +210,7 @@ class Procedure {
     /// What is known of the trial under way.
     struct Trial {
         double first_onset_s = 0.0;
-        double grey_onset_s = 0.0;
+        double interval_onset_s = 0.0;
         double second_onset_s = 0.0;
         double question_onset_s = 0.0;
         double first_view_s = 0.0;
@@ -200,16 +220,29 @@ class Procedure {
     };
 
     void show(Screen screen);
+    /// How long the screen is to be seen before it takes anything.
+    [[nodiscard]] double least_seen_s() const;
     void presented(const ScreenPresented& event, double time_s);
+    /// The screen is visible for the first time.
+    void note_onset(double time_s);
     void end_came_into_view(double time_s);
     [[nodiscard]] bool takes(const Moment& pressed) const;
     std::vector<Row> participant_did(const Event& event, const Moment& now);
     std::vector<Row> submit(const Form& form, const Moment& now);
     std::vector<Row> begin(const Form& form, const Moment& now);
+    // procedure_rows.cpp: what the rows say.
     [[nodiscard]] analysis::ParticipantRecord participant_record(const Form& form,
                                                                  const Moment& now) const;
+    [[nodiscard]] analysis::SessionRecord session_record(const Moment& now) const;
     [[nodiscard]] Screen after(Screen screen) const;
+    void begin_pair();
+    /// The image on the screen is left for the next screen of the pair.
+    void leave_image(double seen_s);
+    void time_passed(double expected_onset_s);
     std::vector<Row> answer(bool first, const Moment& now);
+    /// After an answer or its feedback.
+    [[nodiscard]] Screen after_pair() const;
+    std::vector<Row> end_break(const Moment& now);
     std::vector<Row> hide(const std::string& why, const Moment& now);
     std::vector<Row> see_again(const Moment& now);
     /// The screen ceases to be visible until it is presented again.
@@ -246,6 +279,9 @@ class Procedure {
     bool began_ = false;
     double began_s_ = 0.0;
     int pair_ = 0;
+    bool was_expected_ = false;
+    /// Since when the image that just went by itself was seen; nothing: none did, or it was hidden.
+    std::optional<double> went_by_itself_s_;
     Trial trial_;
 };
 

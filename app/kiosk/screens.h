@@ -73,11 +73,20 @@ void draw_fields(const Fonts& fonts, const std::vector<stimuli::FormField>& fiel
 [[nodiscard]] std::optional<Event> instructions_screen(const Fonts& fonts,
                                                        const stimuli::Study& study);
 
-/// `next` is the pair whose button is enabled, from 0.
-[[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count);
+/// A list of all pairs, of which the next one's button is enabled, or that button alone.
+[[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, const Progress& at,
+                                                bool next_button = false);
 
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
-                                                   int pair, int count);
+                                                   const Progress& at);
+
+/// After a pair of practice whose answer was expected.
+[[nodiscard]] std::optional<Event> feedback_screen(const Fonts& fonts, bool was_expected);
+/// `count` pairs follow.
+[[nodiscard]] std::optional<Event> practice_over_screen(const Fonts& fonts, int count);
+/// Cannot be left for so many seconds more.
+[[nodiscard]] std::optional<Event> break_screen(const Fonts& fonts, const Progress& at,
+                                                double left_s);
 
 /// Only the operator leaves it, by a key. `saved_note` says that the answers are saved, and where.
 void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note);

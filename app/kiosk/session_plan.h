@@ -37,6 +37,16 @@ struct SessionPlan {
     Machine machine;
     std::vector<std::string> known_codes = {};         ///< of those who took part before
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
+
+    // All pairs in order of showing, from 0: practice first, whose conditions are the study's last.
+    [[nodiscard]] int practice_count() const {
+        return static_cast<int>(images.size() - order.conditions.size());
+    }
+    [[nodiscard]] int pair_count() const { return static_cast<int>(images.size()); }
+    /// Index of a pair's condition.
+    [[nodiscard]] std::size_t condition_of(int pair) const;
+    /// Whether image B is the first of that pair; of practice every other one.
+    [[nodiscard]] bool b_first(int pair) const;
 };
 
 /// A and B of every condition. Throws bad input naming the image that the manifest lacks.

@@ -103,18 +103,23 @@ struct Action {
         case Screen::kInstructions:
             return {draw(random, kReading), InstructionsRead{}};
         case Screen::kPairs:
-            return {draw(random, kPage), PairPressed{procedure.pair()}};
+            return {draw(random, kPage), PairPressed{procedure.progress().pair}};
         case Screen::kFirstImage:
         case Screen::kSecondImage:
+        case Screen::kBothImages:
             return {draw(random, kLooking), SpacePressed{}};
         case Screen::kQuestion: {
-            const stimuli::SessionOrder& order = procedure.plan().order;
-            const auto condition = static_cast<std::size_t>(order.conditions.at(procedure.pair()));
+            const SessionPlan& plan = procedure.plan();
+            const std::size_t condition = plan.condition_of(procedure.pair());
             const double after_s = draw(random, kAnswering);
-            const bool b_first = order.b_first(static_cast<std::size_t>(procedure.pair()));
+            const bool b_first = plan.b_first(procedure.pair());
             const bool b = observer.chooses_b(condition, !b_first);
             return {after_s, Answered{b == b_first}};
         }
+        case Screen::kFeedback:
+        case Screen::kPracticeOver:
+        case Screen::kBreak:
+            return {draw(random, kPage), WentOn{}};
         default:
             return {draw(random, kPage), NextParticipant{}};
     }
@@ -150,7 +155,7 @@ void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::R
     while (procedure.screen() != Screen::kDone) {
         clock.pass_to_refresh(0.0);
         feed(procedure, journal, ScreenPresented{}, clock.now());
-        if (const auto due_s = procedure.second_image_due_s()) {
+        if (const auto due_s = procedure.next_due_s()) {
             clock.pass_to_refresh(*due_s);
             feed(procedure, journal, Tick{clock.now().time_s}, clock.now());
             continue;

@@ -35,6 +35,7 @@ stimuli::Study asking_study(const std::string& language) {
     study.instructions = "!";
     study.information = "i";
     study.consent = stimuli::Consent{"1", "c", {"x", "y"}};
+    study.presentation.layout = stimuli::Layout::kSideBySide;
     using stimuli::FieldKind;
     study.form = {{.id = "a", .kind = FieldKind::kText, .label = "1", .required = true},
                   {.id = "b", .kind = FieldKind::kNumber, .label = "2", .min = 1, .max = 9},
@@ -86,7 +87,7 @@ class Kiosks {
     std::optional<bool> answer_at(PointerPlace at, const stimuli::Study& study) {
         std::optional<Event> event;
         const auto page = [&] {
-            auto pressed = question_screen(ui_.fonts(), study, 0, 9);
+            auto pressed = question_screen(ui_.fonts(), study, {0, 9});
             if (pressed) event = std::move(pressed);
         };
         draw_first_frame(ui_, page);
@@ -129,9 +130,16 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
             [&](const Fonts& fonts) { (void)form_screen(fonts, asking, asked); },
             [](const Fonts& fonts) { (void)known_code_screen(fonts, "K7"); },
             [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); },
-            [](const Fonts& fonts) { (void)pairs_screen(fonts, 0, 9); },
-            [](const Fonts& fonts) { (void)pairs_screen(fonts, 5, 9); },
-            [&](const Fonts& fonts) { (void)question_screen(fonts, study, 2, 9); },
+            [](const Fonts& fonts) { (void)pairs_screen(fonts, {0, 9}); },
+            [](const Fonts& fonts) { (void)pairs_screen(fonts, {5, 9}); },
+            [](const Fonts& fonts) { (void)pairs_screen(fonts, {1, 9, true}, true); },
+            [&](const Fonts& fonts) { (void)question_screen(fonts, study, {1, 9, true}); },
+            [&](const Fonts& fonts) { (void)question_screen(fonts, asking, {1, 9}); },
+            [](const Fonts& fonts) { (void)feedback_screen(fonts, true); },
+            [](const Fonts& fonts) { (void)feedback_screen(fonts, false); },
+            [](const Fonts& fonts) { (void)practice_over_screen(fonts, 9); },
+            [](const Fonts& fonts) { (void)break_screen(fonts, {3, 9}, 12.5); },
+            [&](const Fonts& fonts) { (void)question_screen(fonts, study, {2, 9}); },
             [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
             [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
             [](const Fonts& fonts) { (void)leave_screen(fonts, true); },

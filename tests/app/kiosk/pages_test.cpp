@@ -180,7 +180,7 @@ TEST_F(Pages, APageShownAnewBeginsAnew) {
 
 TEST_F(Pages, ALongQuestionIsAnsweredOnlyAfterItsEndWasSeen) {
     study_.question = many_lines(40);
-    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, {0, 3}); });
     EXPECT_FALSE(ShownPage::end_seen());
     page.press(GLFW_KEY_END);
     EXPECT_TRUE(ShownPage::end_seen());
@@ -195,7 +195,7 @@ std::optional<Answered> answer_of(ShownPage& page, PointerPlace at, PointerPlace
 }
 
 TEST_F(Pages, AnAnswerIsWhatThePointerWasOnWhenItWasPressedHoweverFastItMovesOn) {
-    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, {0, 3}); });
     std::optional<PointerPlace> first;
     std::optional<PointerPlace> second;
     for (double y = 40.0; y < 700.0 && !(first && second); y += 25.0) {
@@ -241,8 +241,8 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
         [&] { return start_screen(fonts); },
         [&] { return form_screen(fonts, study, form); },
         [&] { return instructions_screen(fonts, study); },
-        [&] { return pairs_screen(fonts, 40, 64); },
-        [&] { return question_screen(fonts, study, 0, 64); },
+        [&] { return pairs_screen(fonts, {40, 64}); },
+        [&] { return question_screen(fonts, study, {0, 64}); },
         [&]() -> std::optional<Event> {
             thanks_screen(fonts, study, "All answers are saved.");
             return std::nullopt;
@@ -278,14 +278,14 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PagesOfEverySize,
 
 TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
     for (const int count : {1, 7, 8, 20, 36, 64}) {
-        const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), count - 1, count); });
+        const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), {count - 1, count}); });
         EXPECT_TRUE(ShownPage::end_seen()) << count;
     }
 }
 
 TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
     using namespace window::theme;
-    ShownPage page = show([&] { return pairs_screen(ui_.fonts(), 1, 3); });
+    ShownPage page = show([&] { return pairs_screen(ui_.fonts(), {1, 3}); });
     page.draw();
     const auto& texts = page_state().tools.typesetter->uses();
     for (const Typesetter::Use& text : texts) {

@@ -86,7 +86,7 @@ class Visitor {
     void press(const std::string& key) const { display_.key(key); }
     void click(int x, int y) const { display_.click(x, y); }
     /// Until what is shown takes input.
-    void settle() const { pause(shown_.study.input_delay_ms / 1000.0 + 0.1); }
+    void settle() const { pause(shown_.study.presentation.input_delay_ms / 1000.0 + 0.1); }
     void press_until(const std::string& key, const std::string& what,
                      const std::function<bool()>& condition) const {
         for (double waited_s = 0.0; waited_s < kPatience_s; waited_s += kAgain_s) {
