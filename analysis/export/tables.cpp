@@ -155,6 +155,7 @@ const ExportTable<SessionRow>& sessions_export() {
                  of_own_session<&R::refresh_hz>},
                 {"exclusion", kExclusion, {}, "", of_own_session<&R::exclusion>},
                 {"study_plan", kStudyPlan, {}, "", of_own_session<&R::study_plan>},
+                {"timing", kTiming, {}, "", of_own_session<&R::timing>},
             }};
         const auto counts = event_count_columns();
         sessions.columns.insert(sessions.columns.end(), counts.begin(), counts.end());

@@ -133,6 +133,7 @@ void check(const SessionRecord& session) {
     base::check_range(where, "refresh_hz", session.refresh_hz, 0.0, kMaxRefreshHz);
     check_object(where, "exclusion", session.exclusion);
     check_object(where, "study_plan", session.study_plan);
+    check_object(where, "timing", session.timing);
 }
 
 void check(const TrialRecord& trial) {
@@ -174,6 +175,7 @@ void check(const TrialRecord& trial) {
     check_text(where, "first_sha256", trial.first_sha256);
     check_text(where, "second_sha256", trial.second_sha256);
     check_utc(where, "answered_utc", trial.answered_utc);
+    check_text(where, "override_reason", trial.override_reason);
     check_attention(where, trial);
 }
 

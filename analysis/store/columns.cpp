@@ -177,6 +177,7 @@ const RecordTable<SessionRecord>& sessions_table() {
                                        column<&R::refresh_hz>("refresh_hz"),
                                        column<&R::exclusion, TextOrNull>("exclusion"),
                                        column<&R::study_plan, TextOrNull>("study_plan"),
+                                       column<&R::timing, TextOrNull>("timing"),
                                        column<&R::slot_copy>("slot_copy")}};
     return table;
 }
@@ -209,7 +210,9 @@ const RecordTable<TrialRecord>& trials_table() {
                                        column<&R::second_sha256>("second_sha256"),
                                        column<&R::answered_utc>("answered_utc"),
                                        column<&R::expected, LetterOrNull>("expected"),
-                                       column<&R::repeats, TextOrNull>("repeats")}};
+                                       column<&R::repeats, TextOrNull>("repeats"),
+                                       column<&R::override_reason, TextOrNull>(
+                                           "override_reason")}};
     return table;
 }
 

@@ -117,6 +117,9 @@ struct SessionRecord {
     /// What else the study fixed before it had data, its hypotheses: a JSON object as
     /// stimuli::Study::plan_json() writes it; empty: nothing.
     std::string study_plan;
+    /// How its times came about: a JSON object with source, frame_ms, waits and self_test; empty: the
+    /// session is simulated, or from before this was kept.
+    std::string timing = {};
     /// 0: begun in this store; else the session was merged into it, and so many others hold its
     /// slot too.
     int slot_copy = 0;
@@ -154,6 +157,8 @@ struct TrialRecord {
     std::string answered_utc;
     char expected =
         '\0';  ///< 'A' or 'B': what an attentive observer picks, of a catch trial; else 0
+    /// Why the operator went on where the start refused; empty: it did not refuse.
+    std::string override_reason = {};
     std::string repeats;  ///< condition whose answer this one repeats, no vote then; empty: none
 
     bool operator==(const TrialRecord&) const = default;

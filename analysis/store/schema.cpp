@@ -146,6 +146,14 @@ std::vector<std::string> forms_and_merged_sessions() {
     };
 }
 
+/// How a session's times came about, and why it was begun where the start refused.
+std::vector<std::string> timing_and_overrides() {
+    return {
+        "ALTER TABLE sessions ADD COLUMN timing TEXT CHECK (timing <> '')",
+        "ALTER TABLE trials ADD COLUMN override_reason TEXT CHECK (override_reason <> '')",
+    };
+}
+
 /// The statement in the system's own words.
 std::string spelled_for(Database::System system, std::string statement) {
     const bool sqlite = system == Database::System::kSqlite;
@@ -198,7 +206,8 @@ const std::vector<Migration>& migrations() {
                                               {2, checks_of_attention()},
                                               {3, hidden_stimuli()},
                                               {4, study_plans()},
-                                              {5, forms_and_merged_sessions()}};
+                                              {5, forms_and_merged_sessions()},
+                                              {6, timing_and_overrides()}};
     return steps;
 }
 

@@ -11,6 +11,9 @@
 namespace CLI {
 class App;
 class Option;
+
+/// What an option is whose value was left out.
+inline constexpr const char* kNoValue = "true";
 }  // namespace CLI
 
 namespace obscura::app {
@@ -33,6 +36,8 @@ class Option {
     Option comma_separated() const;
     /// May be given several times, one value each time.
     Option repeatable() const;
+    /// Of a string: it may stand without a value, and is then kNoValue.
+    Option value_optional() const;
     Option needs(const Option& other) const;
     Option excludes(const std::vector<Option>& others) const;
 

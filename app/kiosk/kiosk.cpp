@@ -16,6 +16,7 @@
 #include "app/kiosk/session_runner.h"
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/store_lock.h"
+#include "app/kiosk/timing.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/manifest.h"
@@ -77,6 +78,52 @@ void refuse_clock_that_ran_backwards(analysis::Store& store) {
         now, latest);
 }
 
+/// A machine that was busy just then is not one whose swaps do not wait.
+[[nodiscard]] Pace steady_pace(Window& window, int grey_level) {
+    constexpr int kTries = 4;
+    Pace pace = measure_pace(window, grey_level);
+    for (int i = 1; i < kTries && !pace.locked; ++i) pace = measure_pace(window, grey_level);
+    return pace;
+}
+
+/// What is shown and for how long is known only where swapping waits for the display.
+void refuse_loose_pace(const Pace& pace, const Window& window) {
+    if (pace.locked) return;
+    throw base::failure(
+        "the refresh test failed: frames come {:.2f} ms apart, the monitor's {:.0f} Hz are {:.2f} "
+        "ms: let swapping wait for the display (vblank_mode, the driver's settings), and turn off "
+        "what composes windows",
+        pace.measured_s * 1000.0, window.refresh_hz(), pace.period_s * 1000.0);
+}
+
+/// Where the operator has a reason to go on, a refusal is only said.
+void unless_overridden(const KioskOptions& options, const std::function<void()>& check) {
+    try {
+        check();
+    } catch (const base::Error& error) {
+        if (options.override_reason.empty()) {
+            throw base::failure(
+                "{}; --override \"REASON\" goes on all the same, and puts the reason into every row",
+                error.what());
+        }
+        base::log::warn("{}; goes on: {}", error.what(), options.override_reason);
+    }
+}
+
+/// The last self-test counts only for the monitor and GPU that it was made on.
+[[nodiscard]] std::string timing_of(const KioskOptions& options, const Window& window,
+                                    const Pace& pace) {
+    std::optional<SelfTest> last = last_self_test(options.data);
+    if (last && (last->display != window.display() ||
+                 last->gpu_renderer != window.gpu_renderer())) {
+        base::log::warn("the last self-test was made on {}, {}: make one here with obscura run "
+                        "--selftest",
+                        last->display, last->gpu_renderer);
+        last.reset();
+    }
+    return session_timing(window.time_source(), pace.measured_s * 1000.0, pace.locked, last);
+}
+
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
     if (!is_file(store_url)) return words("all_saved");
     return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
@@ -86,15 +133,16 @@ void refuse_clock_that_ran_backwards(analysis::Store& store) {
 class Kiosk {
   public:
     Kiosk(const stimuli::Study& study, const stimuli::Manifest& manifest, analysis::Store& store,
-          Stage& stage, std::filesystem::path backups, std::optional<Spool> spool)
+          Stage& stage, const KioskOptions& options, std::optional<Spool> spool)
         : study_(study),
           manifest_(manifest),
           store_(store),
           stage_(stage),
-          backups_(std::move(backups)),
+          options_(options),
           spool_(std::move(spool)) {
         machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
-                    stage.window.display(), stage.window.refresh_hz()};
+                    stage.window.display(), stage.window.refresh_hz(),
+                    timing_of(options, stage.window, stage.pace)};
     }
 
     void run() {
@@ -148,7 +196,7 @@ class Kiosk {
     void back_up() {
         constexpr std::size_t kKept = 20;
         try {
-            const auto file = store_.back_up(backups_, utc_now(), kKept);
+            const auto file = store_.back_up(options_.backups, utc_now(), kKept);
             if (file) base::log::info("the answers are copied to {}", file->string());
         } catch (const std::exception& error) {
             base::log::warn("the answers are saved, but not copied: {}", error.what());
@@ -177,6 +225,7 @@ class Kiosk {
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
         plan.machine = machine_;
+        plan.override_reason = options_.override_reason;
         plan.order = study_.session_order(stimuli::next_slot(taken));
         return plan;
     }
@@ -250,6 +299,7 @@ class Kiosk {
                const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
                SessionPlan plan) {
         plan.machine = machine_;
+        plan.override_reason = options_.override_reason;
         const Moment now = moment_now();
         double elapsed_s = std::max(0.0, seconds_between(session.started_utc, now.utc));
         if (!trials.empty()) {
@@ -276,7 +326,7 @@ class Kiosk {
     const stimuli::Manifest& manifest_;
     analysis::Store& store_;
     Stage& stage_;
-    std::filesystem::path backups_;
+    const KioskOptions& options_;
     std::optional<Spool> spool_;  ///< of a store on a server
     Machine machine_;
     std::size_t unsaved_ = 0;
@@ -284,27 +334,33 @@ class Kiosk {
 
 }  // namespace
 
+WindowOptions window_options(const stimuli::Study& study, const KioskOptions& options) {
+    const Extent image{study.width, study.height};
+    const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
+    return {options.monitor, options.windowed, beside ? room_beside(image) : image};
+}
+
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_incomplete_stimuli(study, options);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
     refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
-    const Extent image{study.width, study.height};
-    const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
-    Window window({options.monitor, options.windowed, beside ? room_beside(image) : image});
+    Window window(window_options(study, options));
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
     // lock: `obscura demo` may have replaced the file in between.
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    refuse_full_disk(options.store_url);
-    refuse_clock_that_ran_backwards(store);
+    const Pace pace = steady_pace(window, study.presentation.grey_level);
+    unless_overridden(options, [&] { refuse_full_disk(options.store_url); });
+    unless_overridden(options, [&] { refuse_clock_that_ran_backwards(store); });
+    if (!options.windowed) unless_overridden(options, [&] { refuse_loose_pace(pace, window); });
     Ui ui(window, study.words, study.presentation.grey_level);
     Stage stage{window,
                 ui,
                 study,
                 options.folder,
-                measure_pace(window, study.presentation.grey_level),
+                pace,
                 saved_note(study.words, options.store_url)};
     base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                     stage.pace.locked ? "presenting waits for the refresh"
@@ -318,7 +374,7 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     std::optional<Spool> spool;
     if (!is_file(options.store_url))
         spool.emplace(options.backups.parent_path(), options.store_url);
-    Kiosk kiosk(study, manifest, store, stage, options.backups, std::move(spool));
+    Kiosk kiosk(study, manifest, store, stage, options, std::move(spool));
     kiosk.run();
     if (kiosk.unsaved() > 0) {
         throw base::failure(

@@ -81,7 +81,8 @@ analysis::SessionRecord Procedure::session_record(const Moment& now) const {
             .display = plan_.machine.display,
             .refresh_hz = plan_.machine.refresh_hz,
             .exclusion = study_->exclusion.to_json(),
-            .study_plan = study_->plan_json()};
+            .study_plan = study_->plan_json(),
+            .timing = plan_.machine.timing};
 }
 
 analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) const {
@@ -119,6 +120,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.answered_utc = now.utc;
     row.expected = condition.practice ? '\0' : condition.expected;
     row.repeats = condition.repeats;
+    row.override_reason = plan_.override_reason;
     return row;
 }
 

@@ -20,6 +20,7 @@ struct Machine {
     std::string gpu_renderer;
     std::string display;      ///< monitor's name, resolution, refresh rate
     double refresh_hz = 0.0;  ///< 0: unknown
+    std::string timing = {};  ///< SessionRecord::timing
 };
 
 /// An image file of the study's folder, with the hash that the manifest gives it.
@@ -35,6 +36,7 @@ struct SessionPlan {
     analysis::Kind kind = analysis::Kind::kParticipant;
     stimuli::SessionOrder order;
     Machine machine;
+    std::string override_reason = {};  ///< TrialRecord::override_reason
     std::vector<std::string> known_codes = {};         ///< of those who took part before
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
 

@@ -29,25 +29,6 @@ void require_no_error(Extent extent) {
 /// Grey between two images that stand side by side.
 [[nodiscard]] int gap_between(Extent image) { return std::max(8, image.width / 40); }
 
-/// Squares of any grey, the same for a seed.
-[[nodiscard]] StimulusPixels noise(Extent extent, std::uint64_t seed) {
-    constexpr int kSquare = 8;
-    const int columns = (extent.width + kSquare - 1) / kSquare;
-    const int rows = (extent.height + kSquare - 1) / kSquare;
-    base::Random random(seed);
-    std::vector<std::uint8_t> tones(static_cast<std::size_t>(columns) *
-                                    static_cast<std::size_t>(rows));
-    for (std::uint8_t& tone : tones) tone = static_cast<std::uint8_t>(random.below(256));
-    StimulusPixels pixels{extent, {}};
-    for (int y = 0; y < extent.height; ++y) {
-        for (int x = 0; x < extent.width; ++x) {
-            const auto at = static_cast<std::size_t>(y / kSquare * columns + x / kSquare);
-            pixels.rgba.insert(pixels.rgba.end(), {tones[at], tones[at], tones[at], 255});
-        }
-    }
-    return pixels;
-}
-
 }  // namespace
 
 StimulusPixels load_stimulus(const std::filesystem::path& folder, const StimulusImage& image,
@@ -119,9 +100,28 @@ void draw_beside(const StimulusTexture& left, const StimulusTexture& right, Exte
     right.copy_to(from + image.width + gap_between(image), bottom);
 }
 
+StimulusPixels noise_of(const stimuli::Study& study) {
+    constexpr int kSquare = 8;
+    const Extent extent{study.width, study.height};
+    const int columns = (extent.width + kSquare - 1) / kSquare;
+    const int rows = (extent.height + kSquare - 1) / kSquare;
+    base::Random random(study.seed);
+    std::vector<std::uint8_t> tones(static_cast<std::size_t>(columns) *
+                                    static_cast<std::size_t>(rows));
+    for (std::uint8_t& tone : tones) tone = static_cast<std::uint8_t>(random.below(256));
+    StimulusPixels pixels{extent, {}};
+    for (int y = 0; y < extent.height; ++y) {
+        for (int x = 0; x < extent.width; ++x) {
+            const auto at = static_cast<std::size_t>(y / kSquare * columns + x / kSquare);
+            pixels.rgba.insert(pixels.rgba.end(), {tones[at], tones[at], tones[at], 255});
+        }
+    }
+    return pixels;
+}
+
 IntervalView::IntervalView(const stimuli::Study& study) : study_(study) {
     if (study.presentation.interval != stimuli::Interval::kMask) return;
-    mask_ = std::make_unique<StimulusTexture>(noise({study.width, study.height}, study.seed));
+    mask_ = std::make_unique<StimulusTexture>(noise_of(study));
 }
 
 void IntervalView::draw(Extent frame) const {

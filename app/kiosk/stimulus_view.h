@@ -52,6 +52,9 @@ class StimulusTexture {
 void draw_beside(const StimulusTexture& left, const StimulusTexture& right, Extent frame,
                  int grey_level);
 
+/// Squares of any grey of the size of the study's images, the same for the same seed.
+[[nodiscard]] StimulusPixels noise_of(const stimuli::Study& study);
+
 /// What fills the interval between two images.
 class IntervalView {
   public:
