@@ -56,6 +56,7 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
     const analysis::SessionRecord session = store.sessions()[0];
     EXPECT_EQ(session.state, analysis::SessionState::kCompleted);
     EXPECT_EQ(session.study_sha256, shown.study.sha256);
+    EXPECT_THAT(session.timing, AllOf(HasSubstr("\"source\""), HasSubstr("\"waits\":false")));
     EXPECT_EQ(store.participants().at(0).age_years, 29);
     const auto order = stimuli::session_order(shown.study.order, 7, shown.study.seed, 0);
     const auto trials = store.trials();
@@ -67,6 +68,7 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
         EXPECT_EQ(trials[i].second_sha256, seen[i].second);
         EXPECT_EQ(trials[i].response_first, first_chosen[i]) << "pair " << i;
         EXPECT_EQ(trials[i].kind, Kind::kParticipant);
+        EXPECT_EQ(trials[i].override_reason, kOverride);
         EXPECT_GE(trials[i].grey_ms_measured, kGrey_ms);
         // However busy the machine is: what came late says by how many frames.
         constexpr double kFrame_ms = 1000.0 / 60.0;
@@ -185,6 +187,9 @@ TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
         return code;
     };
     const auto said = [&shown] { return base::read_file(shown.data / "log.txt"); };
+    EXPECT_EQ(exit_code_of_run(), 1);
+    EXPECT_THAT(said(), AllOf(HasSubstr("the refresh test failed"), HasSubstr("--override")));
+    std::filesystem::remove(shown.data / "responses.sqlite");
     const std::string file = shown.manifest.images[2].file;
     std::string bytes = base::read_file(shown.folder / file);
     base::write_file_atomically(shown.folder / file, bytes + "x");
