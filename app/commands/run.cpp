@@ -6,11 +6,13 @@
 
 #include <charconv>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string_view>
 
 #include "analysis/plot/gnuplot.h"
 #include "app/kiosk/kiosk.h"
+#include "app/kiosk/pin.h"
 #include "app/kiosk/self_test.h"
 #include "app/kiosk/text_check.h"
 #include "renderer/base/files.h"
@@ -27,6 +29,7 @@ struct RunOptions {
     int monitor = 0;
     bool windowed = false;
     std::string override_reason;
+    bool set_pin = false;
     std::string self_test;  ///< alternations, or kNoValue; empty: none
 };
 
@@ -94,6 +97,18 @@ base::ExitCode self_test(const stimuli::Study& study, const kiosk::KioskOptions&
     return run.test.holds() ? base::ExitCode::kDone : base::ExitCode::kCheckFailed;
 }
 
+/// From the terminal or a pipe; it stands in no command line.
+base::ExitCode set_pin(const std::filesystem::path& data) {
+    fmt::print(stderr, "PIN for the operator's page, {} to {} digits; nothing takes it away: ",
+               kiosk::kShortestPin, kiosk::kLongestPin);
+    std::string pin;
+    std::getline(std::cin, pin);
+    std::filesystem::create_directories(data);
+    kiosk::set_pin(kiosk::pin_file(data), pin);
+    fmt::print(stderr, pin.empty() ? "the operator's page needs no PIN\n" : "kept, hashed\n");
+    return base::ExitCode::kDone;
+}
+
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const stimuli::Study study = stimuli::load_study(options.study, stimuli::SceneFiles::kTrusted);
@@ -111,6 +126,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.windowed = options.windowed;
     kiosk_options.override_reason = options.override_reason;
     kiosk_options.data = globals.data;
+    if (options.set_pin) return set_pin(globals.data);
     if (!options.self_test.empty()) {
         return self_test(study, kiosk_options, alternations_in(options.self_test), globals.quiet);
     }
@@ -133,6 +149,8 @@ std::function<base::ExitCode()> attach_run(const Options& command, const Globals
         .between(0, 99)
         .shows_default();
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
+    command.add_flag("--set-pin", options->set_pin,
+                     "No session: ask for the PIN of the operator's page and keep it");
     command
         .add("--override", options->override_reason,
              "Go on where the start refuses for little disk, a clock that ran backwards or a "
@@ -148,8 +166,9 @@ std::function<base::ExitCode()> attach_run(const Options& command, const Globals
         .type("[N]")
         .value_optional();
     command.footer(
-        "The operator begins with the next participant by Ctrl+Shift+N and leaves with "
-        "Ctrl+Shift+Q.");
+        "The operator begins with the next participant by Ctrl+Shift+N. Ctrl+Shift+Q opens the "
+        "operator's page: how the study and the machine stand, backing up, withdrawing a "
+        "participant, leaving.");
     return [options, &globals] { return run(*options, globals); };
 }
 

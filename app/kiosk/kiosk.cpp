@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "analysis/store/address.h"
 #include "analysis/store/store.h"
+#include "analysis/store/withdraw.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
+#include "app/kiosk/operators_page.h"
+#include "app/kiosk/pin.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/session_runner.h"
 #include "app/kiosk/stimulus_view.h"
@@ -129,6 +133,37 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
     return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
 }
 
+constexpr std::size_t kBackupsKept = 20;
+
+/// The disk and the times of this machine, for the operator.
+[[nodiscard]] std::vector<std::string> machine_lines(const stimuli::Words& words,
+                                                     const KioskOptions& options,
+                                                     const std::string& timing) {
+    std::vector<std::string> lines;
+    std::error_code error;
+    const auto space = std::filesystem::space(std::filesystem::absolute(options.data), error);
+    if (!error) {
+        lines.push_back(
+            words("op_disk", {{"free", std::to_string(space.available / 1'000'000)}}));
+    }
+    const auto json = nlohmann::json::parse(timing);
+    const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
+    lines.push_back(words("op_timing", {{"source", json.at("source").get<std::string>()},
+                                        {"frame", ms(json.at("frame_ms").get<double>())}}));
+    const auto& test = json.at("self_test");
+    if (test.is_null()) {
+        lines.push_back(words("op_no_selftest"));
+        return lines;
+    }
+    const auto& error_ms = test.at("error_ms");
+    lines.push_back(
+        words("op_selftest", {{"mean", ms(error_ms.at("mean").get<double>())},
+                              {"sd", ms(error_ms.at("sd").get<double>())},
+                              {"worst", ms(error_ms.at("worst").get<double>())},
+                              {"dropped", std::to_string(test.at("dropped_frames").get<int>())}}));
+    return lines;
+}
+
 /// One kiosk in its window.
 class Kiosk {
   public:
@@ -139,6 +174,7 @@ class Kiosk {
           store_(store),
           stage_(stage),
           options_(options),
+          operators_(stage, hooks()),
           spool_(std::move(spool)) {
         machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
                     stage.window.display(), stage.window.refresh_hz(),
@@ -194,13 +230,32 @@ class Kiosk {
 
     /// After each session; that it cannot be is said, and keeps nobody from taking part.
     void back_up() {
-        constexpr std::size_t kKept = 20;
         try {
-            const auto file = store_.back_up(options_.backups, utc_now(), kKept);
+            const auto file = store_.back_up(options_.backups, utc_now(), kBackupsKept);
             if (file) base::log::info("the answers are copied to {}", file->string());
         } catch (const std::exception& error) {
             base::log::warn("the answers are saved, but not copied: {}", error.what());
         }
+    }
+
+    [[nodiscard]] OperatorHooks hooks() {
+        OperatorHooks hooks;
+        hooks.report = [this] { return operator_report(store_, study_); };
+        hooks.back_up = [this] {
+            const auto file = store_.back_up(options_.backups, utc_now(), kBackupsKept);
+            return file ? study_.words("op_backed_up", {{"file", file->filename().string()}})
+                        : study_.words("op_server_backs_up");
+        };
+        hooks.withdraw = [this](const analysis::SessionRecord& session) {
+            (void)analysis::withdraw_participant(options_.store_url, session.participant_id,
+                                                 utc_now());
+            return study_.words("op_withdrawn", {{"folder", options_.backups.string()}});
+        };
+        hooks.machine_lines = [this] {
+            return machine_lines(study_.words, options_, machine_.timing);
+        };
+        hooks.pin = pin_file(options_.data);
+        return hooks;
     }
 
     End run_new_session() {
@@ -234,7 +289,7 @@ class Kiosk {
         Journal journal = spool_ ? journal_to(store_, study_, procedure, *spool_)
                                  : journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
-        const End end = SessionRunner(stage_, procedure, journal).run();
+        const End end = SessionRunner(stage_, procedure, journal, operators_).run();
         unsaved_ += journal.waiting().size();
         return end;
     }
@@ -327,6 +382,7 @@ class Kiosk {
     analysis::Store& store_;
     Stage& stage_;
     const KioskOptions& options_;
+    OperatorsPage operators_;
     std::optional<Spool> spool_;  ///< of a store on a server
     Machine machine_;
     std::size_t unsaved_ = 0;

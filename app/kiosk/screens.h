@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/kiosk/pin.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/text_entry.h"
 #include "app/kiosk/window.h"
@@ -91,7 +92,21 @@ void draw_fields(const Fonts& fonts, const std::vector<stimuli::FormField>& fiel
 /// Only the operator leaves it, by a key. `saved_note` says that the answers are saved, and where.
 void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note);
 
-[[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
+/// What the operator's page shows and what is filled in there.
+struct OperatorView {
+    enum class Page { kPin, kOverview, kSessions, kSure };
+
+    Page page = Page::kOverview;
+    bool session_open = false;          ///< leaving cuts it off
+    std::vector<std::string> lines;     ///< how the study and the machine stand
+    std::string note;                   ///< what came of what was pressed last
+    std::vector<std::string> sessions;  ///< that can be withdrawn
+    std::string chosen;                 ///< of them
+    TextEntry pin{kLongestPin, TextEntry::Takes::kHiddenDigits};
+    double wait_s = 0.0;  ///< before the next PIN can be tried
+};
+enum class OperatorAct { kStay, kLeave, kTryPin, kBackUp, kChoose, kAsk, kErase, kBack };
+[[nodiscard]] std::optional<OperatorAct> operator_screen(const Fonts& fonts, OperatorView& view);
 
 /// A session that was cut off, as the operator is asked about it.
 struct CutOffSession {

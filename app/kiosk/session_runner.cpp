@@ -202,6 +202,10 @@ bool SessionRunner::load_pair() {
 }
 
 void SessionRunner::show_first_frame() {
+    if (procedure_.screen() == Screen::kConfirmLeave && opened_ != procedure_.request()) {
+        opened_ = procedure_.request();
+        operators_.open(procedure_.session_open());
+    }
     if (is_still(procedure_.screen())) {
         stage_.window.hide_pointer();
         draw_still(procedure_.screen());
@@ -240,6 +244,8 @@ void SessionRunner::go_on_with_page() {
     draw_next_frame(
         stage_, [this] { draw_page(procedure_.screen()); }, idle_frames_);
     forward_presses();
+    // What covered the page is gone: it is shown anew.
+    if (procedure_.screen() == Screen::kConfirmLeave && operators_.act()) presented_ = 0;
     if (pressed_) {
         // A button of the page is pressed when the mouse lets go of it.
         const auto& release = stage_.ui.input().release;
@@ -345,7 +351,7 @@ void SessionRunner::draw_page(Screen screen) {
             thanks_screen(fonts, stage_.study, stage_.saved_note);
             break;
         case Screen::kConfirmLeave:
-            pressed = leave_screen(fonts, procedure_.session_open());
+            pressed = operators_.draw();
             break;
         case Screen::kFirstImage:
         case Screen::kInterval:

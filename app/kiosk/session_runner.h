@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/kiosk/journal.h"
+#include "app/kiosk/operators_page.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/stage.h"
 #include "app/kiosk/stimulus_view.h"
@@ -19,8 +20,12 @@ class SessionRunner {
     enum class End { kDone, kLeft };
 
     /// All must outlive it.
-    SessionRunner(Stage& stage, Procedure& procedure, Journal& journal)
-        : stage_(stage), procedure_(procedure), journal_(journal), interval_(stage.study) {}
+    SessionRunner(Stage& stage, Procedure& procedure, Journal& journal, OperatorsPage& operators)
+        : stage_(stage),
+          procedure_(procedure),
+          journal_(journal),
+          operators_(operators),
+          interval_(stage.study) {}
 
     /// Returns when the participant is done or the operator left.
     [[nodiscard]] End run();
@@ -62,6 +67,8 @@ class SessionRunner {
     Stage& stage_;
     Procedure& procedure_;
     Journal& journal_;
+    OperatorsPage& operators_;
+    int opened_ = 0;  ///< Procedure::request() for which the operator's page was opened
     FormDraft form_;
     IntervalView interval_;
     std::optional<LoadedPair> loaded_;

@@ -109,6 +109,21 @@ class Kiosks {
     Ui ui_;
 };
 
+/// The operator's page with all that it can say.
+void draw_operator(const Fonts& fonts, const stimuli::Words& words, OperatorView::Page page) {
+    OperatorView view;
+    view.page = page;
+    view.wait_s = 3.5;
+    view.sessions = {"(reason)"};
+    view.chosen = "(reason)";
+    for (const char* key : {"op_sessions", "op_next", "op_checks", "op_disk", "op_timing",
+                            "op_selftest", "op_no_selftest", "op_backed_up", "op_withdrawn"}) {
+        view.lines.push_back(words(key));
+    }
+    view.note = words("op_server_backs_up");
+    (void)operator_screen(fonts, view);
+}
+
 /// Every page of the kiosk.
 std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& study,
                                                         FormDraft& draft,
@@ -142,8 +157,26 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
             [&](const Fonts& fonts) { (void)question_screen(fonts, study, {2, 9}); },
             [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
             [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
-            [](const Fonts& fonts) { (void)leave_screen(fonts, true); },
-            [](const Fonts& fonts) { (void)leave_screen(fonts, false); },
+            [=](const Fonts& fonts) { draw_operator(fonts, study.words, OperatorView::Page::kPin); },
+            [=](const Fonts& fonts) {
+                draw_operator(fonts, study.words, OperatorView::Page::kOverview);
+            },
+            [=](const Fonts& fonts) {
+                draw_operator(fonts, study.words, OperatorView::Page::kSessions);
+            },
+            [=](const Fonts& fonts) {
+                draw_operator(fonts, study.words, OperatorView::Page::kSure);
+            },
+            [](const Fonts& fonts) {
+                OperatorView none;
+                none.page = OperatorView::Page::kSessions;
+                (void)operator_screen(fonts, none);
+            },
+            [](const Fonts& fonts) {
+                OperatorView view;
+                view.session_open = true;
+                (void)operator_screen(fonts, view);
+            },
             [=](const Fonts& fonts) { (void)cut_off_screen(fonts, session); },
             [=](const Fonts& fonts) { (void)cut_off_screen(fonts, all); },
             [=](const Fonts& fonts) { (void)cut_off_screen(fonts, refused); },

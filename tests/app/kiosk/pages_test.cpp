@@ -247,7 +247,11 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
             thanks_screen(fonts, study, "All answers are saved.");
             return std::nullopt;
         },
-        [&] { return leave_screen(fonts, true); },
+        [&]() -> std::optional<Event> {
+            OperatorView view;
+            (void)operator_screen(fonts, view);
+            return std::nullopt;
+        },
         [&]() -> std::optional<Event> {
             (void)trouble_screen(fonts, trouble);
             return std::nullopt;

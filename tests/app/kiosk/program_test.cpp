@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 #include "analysis/store/store.h"
+#include "app/kiosk/pin.h"
 #include "stimuli/order/order.h"
 #include "tests/app/kiosk/visitor.h"
 
@@ -173,6 +174,38 @@ TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
     EXPECT_FALSE(visitor.store().trials().at(1).response_first);
     visitor.leave();
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kCompleted);
+}
+
+TEST(KioskProgram, TheOperatorsPageIsBehindItsPinAndWithdrawsWhoeverIsChosen) {
+    const ShownStudy shown(2, 100, kSoon);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    visitor.answer_pair("1", 2);
+    set_pin(pin_file(shown.data), "2718");
+    visitor.turn("ctrl+shift+q");
+    visitor.display().keys({"l", "w", "1", "1", "1", "1", "Return"});
+    visitor.await_words("a wrong PIN was tried");
+    visitor.settle();
+    EXPECT_TRUE(visitor.runs());
+    pause(1.0);  // before the next can be tried
+    visitor.display().keys({"2", "7", "1", "8", "Return"});
+    visitor.settle();
+    visitor.turn("w");
+    visitor.turn("space");  // the one session
+    visitor.display().keys({"Tab", "space"});
+    visitor.await("the answers to be gone", [&] { return visitor.store().trials().empty(); });
+    visitor.settle();
+    EXPECT_TRUE(visitor.store().participants().empty());
+    visitor.press_until("b", "a backup", [&] {
+        return std::filesystem::exists(shown.data / "backups") &&
+               !std::filesystem::is_empty(shown.data / "backups");
+    });
+    std::filesystem::remove(pin_file(shown.data));
+    visitor.press("Escape");
+    visitor.settle();
+    visitor.leave();
 }
 
 TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
