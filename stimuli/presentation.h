@@ -37,12 +37,12 @@ struct Presentation {
     Interval interval = Interval::kGrey;
     int grey_ms = 2000;  ///< how long the interval lasts
     int grey_level = 128;
-    int exposure_ms = 0;           ///< of each image; 0: as long as the participant wants
-    int input_delay_ms = 300;      ///< a page or image takes nothing that is pressed before that
-    int min_view_ms = 0;           ///< an image cannot be left before
-    int min_response_ms = 0;       ///< the question cannot be answered before
-    int break_after = 0;           ///< pairs between two breaks; 0: none
-    int break_min_s = 0;           ///< a break lasts at least
+    int exposure_ms = 0;       ///< of each image; 0: as long as the participant wants
+    int input_delay_ms = 300;  ///< a page or image takes nothing that is pressed before that
+    int min_view_ms = 0;       ///< an image cannot be left before
+    int min_response_ms = 0;   ///< the question cannot be answered before
+    int break_after = 0;       ///< pairs between two breaks; 0: none
+    int break_min_s = 0;       ///< a break lasts at least
     std::optional<PairsPage> pairs_page;  ///< nothing: the list up to kMostListed pairs
     /// Keys that end the look at an image: names of kAdvanceKeys, one letter or one digit.
     std::vector<std::string> advance = {"space"};

@@ -31,9 +31,9 @@ std::string to_words(const Presentation& presentation) {
     std::string words =
         presentation.layout == Layout::kSideBySide ? "side by side" : "one after the other";
     if (presentation.exposure_ms > 0) {
-        words += fmt::format(", {}for {:g} s",
-                             presentation.layout == Layout::kSideBySide ? "" : "each ",
-                             presentation.exposure_ms / kMsPerS);
+        words +=
+            fmt::format(", {}for {:g} s", presentation.layout == Layout::kSideBySide ? "" : "each ",
+                        presentation.exposure_ms / kMsPerS);
     }
     if (presentation.layout == Layout::kSideBySide || presentation.grey_ms == 0) return words;
     const char* what = "a grey screen";

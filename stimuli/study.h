@@ -57,8 +57,8 @@ struct Condition {
     /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.
     std::string repeats;
     bool identical = false;  ///< its images are meant to be alike, to see what people answer then
-    /// Shown before the pairs that count; with `expected` the participant is told whether the answer
-    /// was the expected one.
+    /// Shown before the pairs that count; with `expected` the participant is told whether the
+    /// answer was the expected one.
     bool practice = false;
 
     /// Whether people vote on it: no practice, attention check, repeat, nor pair that is alike.

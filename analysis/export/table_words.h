@@ -44,7 +44,8 @@ inline constexpr const char* kExclusion =
     "empty: no rule";
 inline constexpr const char* kTiming =
     "How the session's times came about, as a JSON object: source (GLX_OML_sync_control, the "
-    "display's own time of a swap, or glFinish after the swap), frame_ms (between two frames handed "
+    "display's own time of a swap, or glFinish after the swap), frame_ms (between two frames "
+    "handed "
     "over one after the other, median), waits (swapping waits for the refresh) and self_test, the "
     "last one on that monitor and GPU or null; empty: not measured";
 inline constexpr const char* kStudyPlan =

@@ -18,8 +18,8 @@ namespace obscura::analysis {
 struct StudyWords {
     std::string title;
     std::string question;
-    /// How the two images of a pair are shown, as the end of a sentence: one after the other, with a
-    /// grey screen for 2 s between them.
+    /// How the two images of a pair are shown, as the end of a sentence: one after the other, with
+    /// a grey screen for 2 s between them.
     std::string shown = "one after the other";
     std::string order = {};  ///< latin-square, williams, random, fixed; empty: not known
 };

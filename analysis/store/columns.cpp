@@ -211,8 +211,7 @@ const RecordTable<TrialRecord>& trials_table() {
                                        column<&R::answered_utc>("answered_utc"),
                                        column<&R::expected, LetterOrNull>("expected"),
                                        column<&R::repeats, TextOrNull>("repeats"),
-                                       column<&R::override_reason, TextOrNull>(
-                                           "override_reason")}};
+                                       column<&R::override_reason, TextOrNull>("override_reason")}};
     return table;
 }
 

@@ -117,8 +117,8 @@ struct SessionRecord {
     /// What else the study fixed before it had data, its hypotheses: a JSON object as
     /// stimuli::Study::plan_json() writes it; empty: nothing.
     std::string study_plan;
-    /// How its times came about: a JSON object with source, frame_ms, waits and self_test; empty: the
-    /// session is simulated, or from before this was kept.
+    /// How its times came about: a JSON object with source, frame_ms, waits and self_test; empty:
+    /// the session is simulated, or from before this was kept.
     std::string timing = {};
     /// 0: begun in this store; else the session was merged into it, and so many others hold its
     /// slot too.

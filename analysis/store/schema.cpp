@@ -202,12 +202,9 @@ base::Error newer(const Database& database, int met, int known) {
 }  // namespace
 
 const std::vector<Migration>& migrations() {
-    static const std::vector<Migration> steps{{1, first_schema()},
-                                              {2, checks_of_attention()},
-                                              {3, hidden_stimuli()},
-                                              {4, study_plans()},
-                                              {5, forms_and_merged_sessions()},
-                                              {6, timing_and_overrides()}};
+    static const std::vector<Migration> steps{
+        {1, first_schema()}, {2, checks_of_attention()},       {3, hidden_stimuli()},
+        {4, study_plans()},  {5, forms_and_merged_sessions()}, {6, timing_and_overrides()}};
     return steps;
 }
 

@@ -16,15 +16,14 @@ int erase(Database& database, const std::string& table, const std::string& sessi
     int count = 0;
     database.session() << "SELECT COUNT(*) FROM " + table + " WHERE session_id = :id",
         soci::use(session_id), soci::into(count);
-    database.session() << "DELETE FROM " + table + " WHERE session_id = :id",
-        soci::use(session_id);
+    database.session() << "DELETE FROM " + table + " WHERE session_id = :id", soci::use(session_id);
     return count;
 }
 
 WithdrawnRows withdraw(Database& database, const std::string& participant_id,
                        const std::string& utc) {
-    const auto sessions = select(database.session(), sessions_table(),
-                                 "WHERE participant_id = :id", {participant_id});
+    const auto sessions = select(database.session(), sessions_table(), "WHERE participant_id = :id",
+                                 {participant_id});
     if (sessions.empty()) {
         throw base::failure("the store {} has no participant {}", database.name(), participant_id);
     }

@@ -134,8 +134,7 @@ void print_verdicts(const Study& study, const Balance& balance) {
 }
 
 void print_block(const Study& study, std::uint64_t participants) {
-    const std::uint64_t block =
-        stimuli::block_size(study.order, study.pair_count());
+    const std::uint64_t block = stimuli::block_size(study.order, study.pair_count());
     const std::uint64_t whole = participants / block * block;
     if (participants == whole) {
         fmt::print("\n{} participants are {} whole block{} of {}.\n", participants,

@@ -107,7 +107,8 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
     } catch (const base::Error& error) {
         if (options.override_reason.empty()) {
             throw base::failure(
-                "{}; --override \"REASON\" goes on all the same, and puts the reason into every row",
+                "{}; --override \"REASON\" goes on all the same, and puts the reason into every "
+                "row",
                 error.what());
         }
         base::log::warn("{}; goes on: {}", error.what(), options.override_reason);
@@ -118,11 +119,12 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
 [[nodiscard]] std::string timing_of(const KioskOptions& options, const Window& window,
                                     const Pace& pace) {
     std::optional<SelfTest> last = last_self_test(options.data);
-    if (last && (last->display != window.display() ||
-                 last->gpu_renderer != window.gpu_renderer())) {
-        base::log::warn("the last self-test was made on {}, {}: make one here with obscura run "
-                        "--selftest",
-                        last->display, last->gpu_renderer);
+    if (last &&
+        (last->display != window.display() || last->gpu_renderer != window.gpu_renderer())) {
+        base::log::warn(
+            "the last self-test was made on {}, {}: make one here with obscura run "
+            "--selftest",
+            last->display, last->gpu_renderer);
         last.reset();
     }
     return session_timing(window.time_source(), pace.measured_s * 1000.0, pace.locked, last);
@@ -143,8 +145,7 @@ constexpr std::size_t kBackupsKept = 20;
     std::error_code error;
     const auto space = std::filesystem::space(std::filesystem::absolute(options.data), error);
     if (!error) {
-        lines.push_back(
-            words("op_disk", {{"free", std::to_string(space.available / 1'000'000)}}));
+        lines.push_back(words("op_disk", {{"free", std::to_string(space.available / 1'000'000)}}));
     }
     const auto json = nlohmann::json::parse(timing);
     const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
@@ -176,9 +177,9 @@ class Kiosk {
           options_(options),
           operators_(stage, hooks()),
           spool_(std::move(spool)) {
-        machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
-                    stage.window.display(), stage.window.refresh_hz(),
-                    timing_of(options, stage.window, stage.pace)};
+        machine_ = {software_version(),          operating_system(),
+                    stage.window.gpu_renderer(), stage.window.display(),
+                    stage.window.refresh_hz(),   timing_of(options, stage.window, stage.pace)};
     }
 
     void run() {
@@ -412,12 +413,8 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     unless_overridden(options, [&] { refuse_clock_that_ran_backwards(store); });
     if (!options.windowed) unless_overridden(options, [&] { refuse_loose_pace(pace, window); });
     Ui ui(window, study.words, study.presentation.grey_level);
-    Stage stage{window,
-                ui,
-                study,
-                options.folder,
-                pace,
-                saved_note(study.words, options.store_url)};
+    Stage stage{window,         ui,   study,
+                options.folder, pace, saved_note(study.words, options.store_url)};
     base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                     stage.pace.locked ? "presenting waits for the refresh"
                                       : "presenting does not wait for the refresh");

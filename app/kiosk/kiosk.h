@@ -30,10 +30,10 @@ struct KioskOptions {
 /// Before anyone sits down, throws bad input when an image is missing or is not that of
 /// the manifest, when the monitor is smaller than the images, or when the store cannot be used;
 /// failure when there is no display or another kiosk is running on an SQLite store. Little disk, a
-/// clock that ran backwards and, on a whole monitor, swapping that does not wait for the refresh are
-/// failures too unless there is a reason to go on, which every answer then carries. Sessions that
-/// were cut off come first: the operator continues or closes each. Throws failure at the end when
-/// the operator left while something could not be saved.
+/// clock that ran backwards and, on a whole monitor, swapping that does not wait for the refresh
+/// are failures too unless there is a reason to go on, which every answer then carries. Sessions
+/// that were cut off come first: the operator continues or closes each. Throws failure at the end
+/// when the operator left while something could not be saved.
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options);
 
 }  // namespace obscura::app::kiosk

@@ -42,8 +42,7 @@ OperatorReport operator_report(analysis::Store& store, const stimuli::Study& stu
         ++report.completed;
         count_attention(store.trials_of(session.session_id), report);
     }
-    const auto taken =
-        store.taken_slots(study.name, study.seed, analysis::Kind::kParticipant);
+    const auto taken = store.taken_slots(study.name, study.seed, analysis::Kind::kParticipant);
     report.next = study.session_order(stimuli::next_slot(taken));
     const std::uint64_t block = stimuli::block_size(study.order, study.pair_count());
     const auto completed = static_cast<std::uint64_t>(report.completed);

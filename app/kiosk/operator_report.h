@@ -16,7 +16,7 @@ struct OperatorReport {
     int completed = 0;
     int open = 0;
     int abandoned = 0;
-    stimuli::SessionOrder next;   ///< whoever comes next
+    stimuli::SessionOrder next;    ///< whoever comes next
     std::uint64_t to_balance = 0;  ///< completed sessions that are missing to a whole block
     // Of the completed ones.
     int checks = 0;

@@ -18,14 +18,13 @@ using Page = OperatorView::Page;
 [[nodiscard]] std::vector<std::string> lines_of(const OperatorReport& report,
                                                 const stimuli::Words& words) {
     const auto text = [](auto number) { return std::to_string(number); };
-    std::vector<std::string> lines{
-        words("op_sessions", {{"completed", text(report.completed)},
-                              {"open", text(report.open)},
-                              {"abandoned", text(report.abandoned)}}),
-        words("op_next", {{"place", text(report.next.slot + 1)},
-                          {"row", text(report.next.latin_row + 1)},
-                          {"square", text(report.next.latin_square + 1)},
-                          {"missing", text(report.to_balance)}})};
+    std::vector<std::string> lines{words("op_sessions", {{"completed", text(report.completed)},
+                                                         {"open", text(report.open)},
+                                                         {"abandoned", text(report.abandoned)}}),
+                                   words("op_next", {{"place", text(report.next.slot + 1)},
+                                                     {"row", text(report.next.latin_row + 1)},
+                                                     {"square", text(report.next.latin_square + 1)},
+                                                     {"missing", text(report.to_balance)}})};
     if (report.checks + report.repeats > 0) {
         lines.push_back(words("op_checks", {{"right", text(report.checks_right)},
                                             {"checks", text(report.checks)},
@@ -67,9 +66,9 @@ bool OperatorsPage::act() {
     if (act == OperatorAct::kAsk) view_.page = Page::kSure;
     if (act == OperatorAct::kBackUp) note_of(hooks_.back_up);
     if (act == OperatorAct::kErase) {
-        const auto chosen = std::find_if(
-            report_.sessions.begin(), report_.sessions.end(),
-            [&](const auto& session) { return session.session_id == view_.chosen; });
+        const auto chosen =
+            std::find_if(report_.sessions.begin(), report_.sessions.end(),
+                         [&](const auto& session) { return session.session_id == view_.chosen; });
         if (chosen != report_.sessions.end()) {
             note_of([&] { return hooks_.withdraw(*chosen); });
         }

@@ -92,11 +92,11 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
              [&](const Fonts& fonts) { (void)consent_screen(fonts, *study.consent, draft); });
     }
     note("the form is", [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); });
-    note("the question is",
-         [&](const Fonts& fonts) { (void)question_screen(fonts, study, at); });
+    note("the question is", [&](const Fonts& fonts) { (void)question_screen(fonts, study, at); });
     note("the thanks are",
          [&](const Fonts& fonts) { thanks_screen(fonts, study, study.words("all_saved")); });
-    note("the list of pairs is", [&](const Fonts& fonts) { (void)pairs_screen(fonts, at, study.has_next_button()); });
+    note("the list of pairs is",
+         [&](const Fonts& fonts) { (void)pairs_screen(fonts, at, study.has_next_button()); });
     return notes;
 }
 

@@ -32,17 +32,16 @@ void set_pin(const std::filesystem::path& file, const std::string& pin) {
         fs::remove(file);
         return;
     }
-    const bool digits = std::all_of(pin.begin(), pin.end(), [](char c) {
-        return c >= '0' && c <= '9';
-    });
+    const bool digits =
+        std::all_of(pin.begin(), pin.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!digits || pin.size() < kShortestPin || pin.size() > kLongestPin) {
-        throw base::bad_input("the operator's PIN: allowed are {} to {} digits, or nothing for none",
-                              kShortestPin, kLongestPin);
+        throw base::bad_input(
+            "the operator's PIN: allowed are {} to {} digits, or nothing for none", kShortestPin,
+            kLongestPin);
     }
     char setting[CRYPT_GENSALT_OUTPUT_SIZE];
-    const bool salted =
-        crypt_gensalt_rn("$y$", 0, nullptr, 0, setting, static_cast<int>(sizeof setting)) !=
-        nullptr;
+    const bool salted = crypt_gensalt_rn("$y$", 0, nullptr, 0, setting,
+                                         static_cast<int>(sizeof setting)) != nullptr;
     const std::string hash = salted ? hash_of(pin, setting) : "";
     if (hash.empty()) throw base::failure("libcrypt makes no hash of the operator's PIN");
     base::write_file_atomically(file, hash + "\n");

@@ -161,7 +161,8 @@ void Procedure::end_came_into_view(double time_s) {
     if (end_seen_) return;
     end_seen_ = true;
     takes_presses_from_s_ =
-        std::max(takes_presses_from_s_, time_s + study_->presentation.input_delay_ms / kMillisecondsPerSecond);
+        std::max(takes_presses_from_s_,
+                 time_s + study_->presentation.input_delay_ms / kMillisecondsPerSecond);
 }
 
 bool Procedure::takes(const Moment& pressed) const {

@@ -12,7 +12,7 @@
 namespace obscura::app::kiosk {
 namespace {
 
-constexpr double kMillisecondsPerSecond = 1000.0;
+constexpr double kMsPerS = 1000.0;
 
 [[nodiscard]] analysis::Kind kind_of(const stimuli::Condition& condition, analysis::Kind session) {
     if (condition.practice) return analysis::Kind::kPractice;
@@ -107,14 +107,12 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
     row.first_onset_s = trial_.first_onset_s - began_s_;
     row.second_onset_s = trial_.second_onset_s - began_s_;
     row.question_onset_s = trial_.question_onset_s - began_s_;
-    row.first_view_ms = trial_.first_view_s * kMillisecondsPerSecond;
-    row.second_view_ms = trial_.second_view_s * kMillisecondsPerSecond;
+    row.first_view_ms = trial_.first_view_s * kMsPerS;
+    row.second_view_ms = trial_.second_view_s * kMsPerS;
     row.grey_ms_measured =
-        is_beside(*study_)
-            ? 0.0
-            : (trial_.second_onset_s - trial_.interval_onset_s) * kMillisecondsPerSecond;
+        is_beside(*study_) ? 0.0 : (trial_.second_onset_s - trial_.interval_onset_s) * kMsPerS;
     row.dropped_frames = trial_.dropped_frames;
-    row.hidden_ms = trial_.hidden_s * kMillisecondsPerSecond;
+    row.hidden_ms = trial_.hidden_s * kMsPerS;
     row.first_sha256 = image(pair_, 0).sha256;
     row.second_sha256 = image(pair_, 1).sha256;
     row.answered_utc = now.utc;
@@ -126,8 +124,7 @@ analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) con
 
 std::string Procedure::place() const {
     const Progress at = progress();
-    const std::string pair =
-        fmt::format("{}pair {}", at.practice ? "practice " : "", at.pair + 1);
+    const std::string pair = fmt::format("{}pair {}", at.practice ? "practice " : "", at.pair + 1);
     switch (screen_ == Screen::kConfirmLeave ? covered_ : screen_) {
         case Screen::kFirstImage:
             return pair + ", first image";

@@ -20,7 +20,7 @@
 namespace obscura::app::kiosk {
 namespace {
 
-constexpr double kMillisecondsPerSecond = 1000.0;
+constexpr double kMsPerSecond = 1000.0;
 /// Of image and interval: long enough to be timed as a session's are, with no flicker of
 /// brightness, since noise and grey are about as bright.
 constexpr double kInterval_s = 0.1;
@@ -40,7 +40,7 @@ class SelfTester {
         const double image_s = show_at(monotonic_s() + kInterval_s, true, run);
         const double grey_s = show_at(image_s + kInterval_s, false, run);
         const double next_s = show_at(grey_s + kInterval_s, true, run);
-        run.error_ms.push_back((next_s - grey_s - kInterval_s) * kMillisecondsPerSecond);
+        run.error_ms.push_back((next_s - grey_s - kInterval_s) * kMsPerSecond);
     }
 
     /// From an event posted at any time within a few frames to the screen that answers it.
@@ -56,7 +56,7 @@ class SelfTester {
         draw(run.key_to_swap_ms.size() % 2 == 0);
         const double shown_s = window_.present();
         key.join();
-        run.key_to_swap_ms.push_back((shown_s - posted_s) * kMillisecondsPerSecond);
+        run.key_to_swap_ms.push_back((shown_s - posted_s) * kMsPerSecond);
     }
 
   private:
@@ -102,9 +102,9 @@ SelfTestRun run_self_test(const stimuli::Study& study, const KioskOptions& optio
     run.test.gpu_renderer = window.gpu_renderer();
     run.test.source = window.time_source();
     run.test.told_hz = window.refresh_hz();
-    run.test.frame_ms = tester.pace().measured_s * kMillisecondsPerSecond;
+    run.test.frame_ms = tester.pace().measured_s * kMsPerSecond;
     run.test.waits = tester.pace().locked;
-    run.test.interval_ms = kInterval_s * kMillisecondsPerSecond;
+    run.test.interval_ms = kInterval_s * kMsPerSecond;
     run.test.error_ms = figures_of(run.error_ms);
     run.test.key_to_swap_ms = figures_of(run.key_to_swap_ms);
     return run;

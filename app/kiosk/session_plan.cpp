@@ -92,7 +92,7 @@ SessionPlan plan_to_resume(const stimuli::Study& study, const stimuli::Manifest&
     }
     plan.images = images_of(study, manifest);
     plan.machine = {session.software, session.operating_system, session.gpu_renderer,
-                    session.display, session.refresh_hz, session.timing};
+                    session.display,  session.refresh_hz,       session.timing};
     require_same_images(plan, trials, events);
     return plan;
 }

@@ -36,7 +36,7 @@ struct SessionPlan {
     analysis::Kind kind = analysis::Kind::kParticipant;
     stimuli::SessionOrder order;
     Machine machine;
-    std::string override_reason = {};  ///< TrialRecord::override_reason
+    std::string override_reason = {};                  ///< TrialRecord::override_reason
     std::vector<std::string> known_codes = {};         ///< of those who took part before
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
 

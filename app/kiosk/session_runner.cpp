@@ -42,13 +42,15 @@ constexpr double kImageWait_s = 0.5;
 }
 
 [[nodiscard]] bool advances(const KeyPress& press, const stimuli::Study& study) {
-    return std::any_of(study.presentation.advance.begin(), study.presentation.advance.end(), [&](const std::string& name) {
-        const int key = key_named(name);
-        const bool on_pad = (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
-                            (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
-                             press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
-        return press.key == key || on_pad;
-    });
+    return std::any_of(study.presentation.advance.begin(), study.presentation.advance.end(),
+                       [&](const std::string& name) {
+                           const int key = key_named(name);
+                           const bool on_pad =
+                               (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
+                               (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
+                                press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
+                           return press.key == key || on_pad;
+                       });
 }
 
 /// What a key means on that screen, beside what its page makes of it.
@@ -342,10 +344,10 @@ void SessionRunner::draw_page(Screen screen) {
             pressed = practice_over_screen(fonts, at.count);
             break;
         case Screen::kBreak:
-            pressed = break_screen(
-                fonts, at,
-                std::min<double>(stage_.study.presentation.break_min_s,
-                                 procedure_.takes_presses_from_s() - monotonic_s()));
+            pressed =
+                break_screen(fonts, at,
+                             std::min<double>(stage_.study.presentation.break_min_s,
+                                              procedure_.takes_presses_from_s() - monotonic_s()));
             break;
         case Screen::kThanks:
             thanks_screen(fonts, stage_.study, stage_.saved_note);

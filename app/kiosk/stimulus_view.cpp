@@ -85,9 +85,7 @@ void StimulusTexture::copy_to(int left, int bottom) const {
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Extent room_beside(Extent image) {
-    return {2 * image.width + gap_between(image), image.height};
-}
+Extent room_beside(Extent image) { return {2 * image.width + gap_between(image), image.height}; }
 
 void draw_beside(const StimulusTexture& left, const StimulusTexture& right, Extent frame,
                  int grey_level) {
@@ -136,7 +134,7 @@ void IntervalView::draw(Extent frame) const {
 
 /// Black or white, whichever is farther from the grey.
 void IntervalView::draw_cross(Extent frame) const {
-    constexpr int kArm = 60;   // of the image's height
+    constexpr int kArm = 60;  // of the image's height
     constexpr int kLine = 480;
     const int arm = std::max(4, study_.height / kArm);
     const int line = std::max(2, study_.height / kLine);

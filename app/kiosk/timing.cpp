@@ -81,9 +81,10 @@ SelfTest self_test_from(const std::string& json, const std::string& where) {
         test.key_to_swap_ms = figures_in(parsed.at("key_to_swap_ms"));
         return test;
     } catch (const Json::exception& error) {
-        throw base::bad_input("{} is no self-test of this program ({}): make it anew with obscura "
-                              "run --selftest",
-                              where, error.what());
+        throw base::bad_input(
+            "{} is no self-test of this program ({}): make it anew with obscura "
+            "run --selftest",
+            where, error.what());
     }
 }
 

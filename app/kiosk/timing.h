@@ -23,7 +23,7 @@ struct Figures {
 /// long a key takes to change the screen.
 struct SelfTest {
     std::string time_utc;
-    std::string display;       ///< monitor, resolution, refresh rate
+    std::string display;  ///< monitor, resolution, refresh rate
     std::string gpu_renderer;
     std::string source;        ///< of the times, as SwapClock names it
     double told_hz = 0.0;      ///< refresh rate that the monitor tells; 0: none

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 //
-// Kiosks that share one PostgreSQL, each a thread with simulated participants. Kiosks are killed and
-// connections cut at random, and the server is restarted in the middle. Says how many answers are
-// there once, twice or not at all, how balanced the order is, and how long a commit takes.
+// Kiosks that share one PostgreSQL, each a thread with simulated participants. Kiosks are killed
+// and connections cut at random, and the server is restarted in the middle. Says how many answers
+// are there once, twice or not at all, how balanced the order is, and how long a commit takes.
 //   kiosks_bench [SESSIONS] [KIOSKS]
 #include <fmt/format.h>
 
@@ -196,10 +196,11 @@ void disturb(tests::PostgresServer& server, const std::string& database, const B
             ++restarts;
             continue;
         }
-        server.execute(fmt::format("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE "
-                                   "datname = '{}' AND pid <> pg_backend_pid() ORDER BY random() "
-                                   "LIMIT 1",
-                                   database));
+        server.execute(
+            fmt::format("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE "
+                        "datname = '{}' AND pid <> pg_backend_pid() ORDER BY random() "
+                        "LIMIT 1",
+                        database));
         ++cuts;
     }
 }

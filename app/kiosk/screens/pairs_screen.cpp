@@ -75,8 +75,8 @@ void head(const Fonts& fonts, const Progress& at) {
 void progress_bar(const Progress& at) {
     const float width = std::round(ImGui::GetContentRegionAvail().x);
     const float height = times_text(0.5F);
-    const float filled = std::round(width * static_cast<float>(at.pair) /
-                                    static_cast<float>(std::max(1, at.count)));
+    const float filled =
+        std::round(width * static_cast<float>(at.pair) / static_cast<float>(std::max(1, at.count)));
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float left = from.x + (is_mirrored() ? width - filled : 0.0F);
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -18,9 +18,9 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
     const char* const left = is_mirrored() ? "right_image" : "left_image";
     const char* const right = is_mirrored() ? "left_image" : "right_image";
     const auto body = [&] {
-        hint(fonts, words()(at.practice ? "practice_pair_of" : "pair_of",
-                            {{"pair", std::to_string(at.pair + 1)},
-                             {"count", std::to_string(at.count)}}));
+        hint(fonts,
+             words()(at.practice ? "practice_pair_of" : "pair_of",
+                     {{"pair", std::to_string(at.pair + 1)}, {"count", std::to_string(at.count)}}));
         heading(fonts, study.question);
     };
     const auto foot = [&] {
@@ -28,9 +28,11 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
         const float width = std::floor((ImGui::GetContentRegionAvail().x - space) * 0.5F);
         SideBySide row(space);
         row.next(width);
-        if (wide_button(words()(beside ? left : "first_image"), width, 4.0F, true)) event = Answered{true};
+        if (wide_button(words()(beside ? left : "first_image"), width, 4.0F, true))
+            event = Answered{true};
         row.next(width);
-        if (wide_button(words()(beside ? right : "second_image"), width, 4.0F, true)) event = Answered{false};
+        if (wide_button(words()(beside ? right : "second_image"), width, 4.0F, true))
+            event = Answered{false};
         gap(0.3F);
         hint(fonts, words()(beside ? "question_hint_beside" : "question_hint"));
     };

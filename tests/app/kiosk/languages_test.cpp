@@ -138,56 +138,69 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
     const CutOffSession all{"s-1", "2026-01-01T00:00:00Z", 9, 9, ""};
     const CutOffSession refused{"s-1", "2026-01-01T00:00:00Z", 3, 9, "(reason)"};
     const std::string saved = words("all_saved_in", {{"file", "a.sqlite"}});
-    return {[](const Fonts& fonts) { (void)start_screen(fonts); },
-            [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); },
-            [&](const Fonts& fonts) { (void)information_screen(fonts, asking); },
-            [&](const Fonts& fonts) { (void)consent_screen(fonts, *asking.consent, asked); },
-            [&](const Fonts& fonts) { (void)form_screen(fonts, asking, asked); },
-            [](const Fonts& fonts) { (void)known_code_screen(fonts, "K7"); },
-            [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); },
-            [](const Fonts& fonts) { (void)pairs_screen(fonts, {0, 9}); },
-            [](const Fonts& fonts) { (void)pairs_screen(fonts, {5, 9}); },
-            [](const Fonts& fonts) { (void)pairs_screen(fonts, {1, 9, true}, true); },
-            [&](const Fonts& fonts) { (void)question_screen(fonts, study, {1, 9, true}); },
-            [&](const Fonts& fonts) { (void)question_screen(fonts, asking, {1, 9}); },
-            [](const Fonts& fonts) { (void)feedback_screen(fonts, true); },
-            [](const Fonts& fonts) { (void)feedback_screen(fonts, false); },
-            [](const Fonts& fonts) { (void)practice_over_screen(fonts, 9); },
-            [](const Fonts& fonts) { (void)break_screen(fonts, {3, 9}, 12.5); },
-            [&](const Fonts& fonts) { (void)question_screen(fonts, study, {2, 9}); },
-            [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
-            [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
-            [=](const Fonts& fonts) { draw_operator(fonts, study.words, OperatorView::Page::kPin); },
-            [=](const Fonts& fonts) {
-                draw_operator(fonts, study.words, OperatorView::Page::kOverview);
-            },
-            [=](const Fonts& fonts) {
-                draw_operator(fonts, study.words, OperatorView::Page::kSessions);
-            },
-            [=](const Fonts& fonts) {
-                draw_operator(fonts, study.words, OperatorView::Page::kSure);
-            },
-            [](const Fonts& fonts) {
-                OperatorView none;
-                none.page = OperatorView::Page::kSessions;
-                (void)operator_screen(fonts, none);
-            },
-            [](const Fonts& fonts) {
-                OperatorView view;
-                view.session_open = true;
-                (void)operator_screen(fonts, view);
-            },
-            [=](const Fonts& fonts) { (void)cut_off_screen(fonts, session); },
-            [=](const Fonts& fonts) { (void)cut_off_screen(fonts, all); },
-            [=](const Fonts& fonts) { (void)cut_off_screen(fonts, refused); },
-            [=](const Fonts& fonts) { (void)abandon_screen(fonts, session); },
-            [=](const Fonts& fonts) { (void)trouble_screen(fonts, trouble); },
-            [=](const Fonts& fonts) { (void)trouble_screen(fonts, moved); },
-            [=](const Fonts& fonts) { (void)trouble_screen(fonts, silent); },
-            [=](const Fonts& fonts) { (void)trouble_screen(fonts, no_image); },
-            [](const Fonts& fonts) { hidden_screen(fonts, Sight::kLostFocus, "(reason)"); },
-            [](const Fonts& fonts) { hidden_screen(fonts, Sight::kResized, "(reason)"); },
-            [](const Fonts& fonts) { saving_screen(fonts); }};
+    return {
+        [](const Fonts& fonts) { (void)start_screen(fonts); },
+        [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); },
+        [&](const Fonts& fonts) { (void)information_screen(fonts, asking); },
+        [&](const Fonts& fonts) { (void)consent_screen(fonts, *asking.consent, asked); },
+        [&](const Fonts& fonts) { (void)form_screen(fonts, asking, asked); },
+        [](const Fonts& fonts) { (void)known_code_screen(fonts, "K7"); },
+        [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); },
+        [](const Fonts& fonts) {
+            (void)pairs_screen(fonts, {0, 9});
+        },
+        [](const Fonts& fonts) {
+            (void)pairs_screen(fonts, {5, 9});
+        },
+        [](const Fonts& fonts) {
+            (void)pairs_screen(fonts, {1, 9, true}, true);
+        },
+        [&](const Fonts& fonts) {
+            (void)question_screen(fonts, study, {1, 9, true});
+        },
+        [&](const Fonts& fonts) {
+            (void)question_screen(fonts, asking, {1, 9});
+        },
+        [](const Fonts& fonts) { (void)feedback_screen(fonts, true); },
+        [](const Fonts& fonts) { (void)feedback_screen(fonts, false); },
+        [](const Fonts& fonts) { (void)practice_over_screen(fonts, 9); },
+        [](const Fonts& fonts) {
+            (void)break_screen(fonts, {3, 9}, 12.5);
+        },
+        [&](const Fonts& fonts) {
+            (void)question_screen(fonts, study, {2, 9});
+        },
+        [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
+        [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
+        [=](const Fonts& fonts) { draw_operator(fonts, study.words, OperatorView::Page::kPin); },
+        [=](const Fonts& fonts) {
+            draw_operator(fonts, study.words, OperatorView::Page::kOverview);
+        },
+        [=](const Fonts& fonts) {
+            draw_operator(fonts, study.words, OperatorView::Page::kSessions);
+        },
+        [=](const Fonts& fonts) { draw_operator(fonts, study.words, OperatorView::Page::kSure); },
+        [](const Fonts& fonts) {
+            OperatorView none;
+            none.page = OperatorView::Page::kSessions;
+            (void)operator_screen(fonts, none);
+        },
+        [](const Fonts& fonts) {
+            OperatorView view;
+            view.session_open = true;
+            (void)operator_screen(fonts, view);
+        },
+        [=](const Fonts& fonts) { (void)cut_off_screen(fonts, session); },
+        [=](const Fonts& fonts) { (void)cut_off_screen(fonts, all); },
+        [=](const Fonts& fonts) { (void)cut_off_screen(fonts, refused); },
+        [=](const Fonts& fonts) { (void)abandon_screen(fonts, session); },
+        [=](const Fonts& fonts) { (void)trouble_screen(fonts, trouble); },
+        [=](const Fonts& fonts) { (void)trouble_screen(fonts, moved); },
+        [=](const Fonts& fonts) { (void)trouble_screen(fonts, silent); },
+        [=](const Fonts& fonts) { (void)trouble_screen(fonts, no_image); },
+        [](const Fonts& fonts) { hidden_screen(fonts, Sight::kLostFocus, "(reason)"); },
+        [](const Fonts& fonts) { hidden_screen(fonts, Sight::kResized, "(reason)"); },
+        [](const Fonts& fonts) { saving_screen(fonts); }};
 }
 
 /// A text of the catalogue with anything where it has a {name}.

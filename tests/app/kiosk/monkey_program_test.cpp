@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 //
-// The program itself at the hands of a monkey: random keys, clicks and window events, everything but
-// the operator's own keys. OBSCURA_MONKEY_EVENTS makes it longer.
+// The program itself at the hands of a monkey: random keys, clicks and window events, everything
+// but the operator's own keys. OBSCURA_MONKEY_EVENTS makes it longer.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,11 +25,11 @@ int events_wanted() {
 /// What xdotool does in one go.
 std::vector<std::string> some_events(base::Random& random) {
     static const std::vector<std::string> kKeys{
-        "space",  "Return",  "Tab",     "shift+Tab", "Escape",    "BackSpace", "Left",
-        "Right",  "Up",      "Down",    "Page_Down", "Page_Up",   "Home",      "End",
-        "1",      "2",       "3",       "a",         "l",         "n",         "o",
-        "q",      "c",       "ctrl+q",  "shift+q",   "ctrl+c",    "ctrl+w",    "alt+F4",
-        "alt+Tab", "super",  "F1",      "F11",       "ctrl+alt+t", "Menu",     "KP_1"};
+        "space",   "Return", "Tab",    "shift+Tab", "Escape",     "BackSpace", "Left",
+        "Right",   "Up",     "Down",   "Page_Down", "Page_Up",    "Home",      "End",
+        "1",       "2",      "3",      "a",         "l",          "n",         "o",
+        "q",       "c",      "ctrl+q", "shift+q",   "ctrl+c",     "ctrl+w",    "alt+F4",
+        "alt+Tab", "super",  "F1",     "F11",       "ctrl+alt+t", "Menu",      "KP_1"};
     std::vector<std::string> command{"xdotool"};
     for (int i = 0; i < kEventsAtOnce; ++i) {
         const auto what = random.below(10);

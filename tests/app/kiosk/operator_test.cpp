@@ -84,8 +84,8 @@ TEST_F(OperatorTest, WhoeverIsWithdrawnIsErasedTheFactIsKeptAndThePlaceIsFree) {
         EXPECT_EQ(events.back().name, "participant withdrawn");
         EXPECT_THAT(events.back().detail, HasSubstr("4 answers"));
         EXPECT_THAT(events.back().detail, testing::Not(HasSubstr("p-0")));
-        EXPECT_THROW(
-            (void)analysis::withdraw_participant(url, "p-0", "2026-01-01T00:00:00Z"), base::Error);
+        EXPECT_THROW((void)analysis::withdraw_participant(url, "p-0", "2026-01-01T00:00:00Z"),
+                     base::Error);
     }
 }
 

@@ -241,8 +241,12 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
         [&] { return start_screen(fonts); },
         [&] { return form_screen(fonts, study, form); },
         [&] { return instructions_screen(fonts, study); },
-        [&] { return pairs_screen(fonts, {40, 64}); },
-        [&] { return question_screen(fonts, study, {0, 64}); },
+        [&] {
+            return pairs_screen(fonts, {40, 64});
+        },
+        [&] {
+            return question_screen(fonts, study, {0, 64});
+        },
         [&]() -> std::optional<Event> {
             thanks_screen(fonts, study, "All answers are saved.");
             return std::nullopt;

@@ -66,7 +66,8 @@ void expect_sound(const TrialRecord& row, int index, const stimuli::Study& study
     EXPECT_GE(row.first_onset_s, 0.0);
     EXPECT_GT(row.second_onset_s, row.first_onset_s);
     EXPECT_GE(row.question_onset_s, row.second_onset_s);
-    EXPECT_GE(row.grey_ms_measured, study.presentation.grey_ms - 1000.0);  // a tick may expect 1 s ahead
+    EXPECT_GE(row.grey_ms_measured,
+              study.presentation.grey_ms - 1000.0);  // a tick may expect 1 s ahead
 }
 
 TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWayBack) {
@@ -95,7 +96,8 @@ TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWay
             seen.insert(now);
             const int pair = script.procedure.pair();
             EXPECT_GE(pair, last_pair);
-            if (last == Screen::kFirstImage && now == Screen::kInterval) images_left.insert({pair, 0});
+            if (last == Screen::kFirstImage && now == Screen::kInterval)
+                images_left.insert({pair, 0});
             if (last == Screen::kSecondImage && now == Screen::kQuestion) {
                 images_left.insert({pair, 1});
             }

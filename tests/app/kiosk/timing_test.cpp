@@ -17,8 +17,17 @@ namespace {
 using testing::HasSubstr;
 
 SelfTest a_self_test() {
-    return {"2026-11-27T00:00:00Z", "a monitor", "a GPU",  "a clock", 60.0, 16.67, true,
-            100.0,                  {200, 0.1, 0.2, -0.9}, 0,         {50, 9.0, 4.0, 18.0}};
+    return {"2026-11-27T00:00:00Z",
+            "a monitor",
+            "a GPU",
+            "a clock",
+            60.0,
+            16.67,
+            true,
+            100.0,
+            {200, 0.1, 0.2, -0.9},
+            0,
+            {50, 9.0, 4.0, 18.0}};
 }
 
 TEST(Timing, FiguresAreThoseOfASample) {
