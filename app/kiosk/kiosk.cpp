@@ -190,9 +190,8 @@ class Kiosk {
             });
             if (!delivered) return;
         }
-        const auto cut_off = with_store("find the sessions that were cut off", [&] {
-            return store_.open_sessions(study_.name, Kind::kParticipant);
-        });
+        const auto cut_off = with_store("find the sessions that were cut off",
+                                        [&] { return cut_off_sessions(); });
         if (!cut_off) return;
         End end = End::kDone;
         for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
@@ -227,6 +226,27 @@ class Kiosk {
                 }
             }
         }
+    }
+
+    /// Open sessions that nobody is at. On a server one of another kiosk is taken to be under way
+    /// until nothing has come from it for a while.
+    [[nodiscard]] std::vector<analysis::SessionRecord> cut_off_sessions() {
+        constexpr double kLongestSilence_s = 3600.0;
+        auto sessions = store_.open_sessions(study_.name, Kind::kParticipant);
+        if (!spool_) return sessions;
+        const std::string now = utc_now();
+        std::erase_if(sessions, [&](const analysis::SessionRecord& session) {
+            if (spool_->is_own(session.session_id)) return false;
+            std::string latest = session.started_utc;
+            for (const auto& trial : store_.trials_of(session.session_id)) {
+                latest = std::max(latest, trial.answered_utc);
+            }
+            for (const auto& event : store_.events_of(session.session_id)) {
+                latest = std::max(latest, event.time_utc);
+            }
+            return seconds_between(latest, now) < kLongestSilence_s;
+        });
+        return sessions;
     }
 
     /// After each session; that it cannot be is said, and keeps nobody from taking part.

@@ -4,6 +4,7 @@
 
 #include "analysis/store/address.h"
 #include "app/kiosk/recording.h"
+#include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/log.h"
 
@@ -16,6 +17,8 @@ namespace fs = std::filesystem;
 Spool::Spool(const fs::path& folder, const std::string& store_url) {
     constexpr std::size_t kDigits = 16;
     const std::string server = analysis::store_address(store_url).shown;
+    own_ = fs::absolute(folder) /
+           ("session-" + base::sha256_hex(server).substr(0, kDigits) + ".txt");
     file_ =
         fs::absolute(folder) / ("spool-" + base::sha256_hex(server).substr(0, kDigits) + ".sqlite");
 }
@@ -26,8 +29,16 @@ bool Spool::waits() const {
 }
 
 void Spool::follow(const Row& row) {
-    if (std::holds_alternative<BeginSession>(row)) session_.clear();
+    if (const auto* begin = std::get_if<BeginSession>(&row)) {
+        session_.clear();
+        base::write_file_atomically(own_, begin->session.session_id);
+    }
     session_.push_back(row);
+}
+
+bool Spool::is_own(const std::string& session_id) const {
+    std::error_code ignored;
+    return fs::exists(own_, ignored) && base::read_file(own_) == session_id;
 }
 
 void Spool::keep(const Row& row) {

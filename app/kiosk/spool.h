@@ -23,8 +23,11 @@ class Spool {
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     /// Whether rows wait for the server.
     [[nodiscard]] bool waits() const;
-    /// What the session had before, so that it is whole here; rows that went to the server.
+    /// What the session had before, so that it is whole here; rows that went to the server. The
+    /// session is this machine's from then on, also after this program has ended.
     void follow(const Row& row);
+    /// Whether that session was the last that ran on this machine.
+    [[nodiscard]] bool is_own(const std::string& session_id) const;
     /// Keeps a row that the server did not take. Throws where this machine cannot either.
     void keep(const Row& row);
     /// Brings all of it to the server, and forgets it. Throws, and keeps it, where that fails.
@@ -32,6 +35,7 @@ class Spool {
 
   private:
     std::filesystem::path file_;
+    std::filesystem::path own_;  ///< file with the id of the session that ran here last
     std::vector<Row> session_;  ///< of the session under way, from its beginning
 };
 

@@ -97,6 +97,9 @@ TEST_F(SpoolTest, WhatIsKeptIsDeliveredAfterTheProgramHasEndedToo) {
     server_.start();
     Spool spool(folder_.path(), url_);
     ASSERT_TRUE(spool.waits());
+    EXPECT_TRUE(spool.is_own("s-1"));
+    EXPECT_FALSE(spool.is_own("s-2"));
+    EXPECT_FALSE(Spool(folder_.path(), url_ + "other").is_own("s-1")) << "of another server";
     Store store(url_, Store::Access::kReadWrite);
     spool.deliver(store);
     EXPECT_FALSE(spool.waits());
