@@ -190,8 +190,8 @@ class Kiosk {
             });
             if (!delivered) return;
         }
-        const auto cut_off = with_store("find the sessions that were cut off",
-                                        [&] { return cut_off_sessions(); });
+        const auto cut_off =
+            with_store("find the sessions that were cut off", [&] { return cut_off_sessions(); });
         if (!cut_off) return;
         End end = End::kDone;
         for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
