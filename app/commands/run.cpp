@@ -105,7 +105,7 @@ base::ExitCode set_pin(const std::filesystem::path& data) {
     std::getline(std::cin, pin);
     std::filesystem::create_directories(data);
     kiosk::set_pin(kiosk::pin_file(data), pin);
-    fmt::print(stderr, pin.empty() ? "the operator's page needs no PIN\n" : "kept, hashed\n");
+    fmt::print(stderr, "{}\n", pin.empty() ? "the operator's page needs no PIN" : "kept, hashed");
     return base::ExitCode::kDone;
 }
 
