@@ -11,12 +11,12 @@
 namespace CLI {
 class App;
 class Option;
-
-/// What an option is whose value was left out.
-inline constexpr const char* kNoValue = "true";
 }  // namespace CLI
 
 namespace obscura::app {
+
+/// What an option is whose value was left out.
+inline constexpr const char* kNoValue = "true";
 
 /// One option as it is described: a handle, cheap to copy.
 class Option {

@@ -41,10 +41,10 @@ enum class Screen {
 /// What the participant filled in.
 struct Form {
     std::vector<FieldAnswer> fields = {};  ///< in the order of the study's own, where it has them
-    std::optional<int> age_years;
-    std::string gender;  ///< free text, or kRatherNotSayStored; empty: no answer
-    std::optional<bool> normal_vision;
-    std::optional<bool> naive;
+    std::optional<int> age_years = {};
+    std::string gender = {};  ///< free text, or kRatherNotSayStored; empty: no answer
+    std::optional<bool> normal_vision = {};
+    std::optional<bool> naive = {};
     bool consent = false;
 };
 /// What the store keeps where someone chose not to say.

@@ -65,7 +65,7 @@ class Merge : public testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Both, Merge, testing::Values("SQLite", "PostgreSQL"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& given) { return std::string(given.param); });
 
 TEST_P(Merge, JoinsTheAnswersOfKiosksThatCountedTheirSlotsForThemselves) {
     Store one = kiosk("one", {0, 1});

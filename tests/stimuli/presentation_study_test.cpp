@@ -57,11 +57,11 @@ TEST(PresentationOfStudy, EveryKeyIsReadAndSaidInWords) {
 
 TEST(PresentationOfStudy, KeysThatWouldHaveNoEffectAreRefused) {
     EXPECT_THAT(problems_with("presentation = \"side-by-side\"\ninterval = \"mask\""),
-                HasSubstr("study:8: study: interval has no effect beside presentation"));
+                HasSubstr("study:8: study: interval: has no effect beside presentation"));
     EXPECT_THAT(problems_with("exposure_ms = 100\nmin_view_ms = 50"),
-                HasSubstr("min_view_ms has no effect beside exposure_ms"));
+                HasSubstr("min_view_ms: has no effect beside exposure_ms"));
     EXPECT_THAT(problems_with("break_min_s = 10"),
-                HasSubstr("break_min_s has no effect without break_after"));
+                HasSubstr("break_min_s: has no effect without break_after"));
     EXPECT_THAT(problems_with("interval = \"gray\""), HasSubstr("did you mean \"grey\"?"));
 }
 
@@ -96,7 +96,7 @@ TEST(PracticeInStudy, CannotBeWhatCounts) {
     std::string labelled(kTrial);
     labelled.replace(labelled.find("practice"), 0, "hypothesis = \"H1\"\n");
     EXPECT_THAT(problems_with("", labelled),
-                HasSubstr("hypothesis is not allowed beside practice"));
+                HasSubstr("hypothesis: is not allowed beside practice"));
     EXPECT_THAT(
         problems_with("", std::string(kTrial) + "\n[[condition]]\nid = \"r\"\nrepeats = \"try\"\n"),
         HasSubstr("\"try\" is practice, allowed are one, two"));
