@@ -36,7 +36,8 @@ using Page = OperatorView::Page;
 
 }  // namespace
 
-void OperatorsPage::open(bool session_open) {
+void OperatorsPage::open(bool session_open, const std::string& session_on_screen) {
+    session_on_screen_ = session_on_screen;
     view_ = OperatorView();
     view_.session_open = session_open;
     pressed_.reset();
@@ -106,13 +107,14 @@ void OperatorsPage::show_overview() {
     for (std::string& line : hooks_.machine_lines()) view_.lines.push_back(std::move(line));
 }
 
-/// An open session is closed at the kiosk's next start first.
+/// An open session is closed at the kiosk's next start first, and the one on the screen left first.
 void OperatorsPage::choose() {
     view_.page = Page::kSessions;
     view_.note.clear();
     view_.sessions.clear();
     for (const analysis::SessionRecord& session : report_.sessions) {
         if (session.state == analysis::SessionState::kOpen) continue;
+        if (session.session_id == session_on_screen_) continue;
         view_.sessions.push_back(session.session_id);
     }
 }

@@ -30,15 +30,15 @@ class OperatorsPage {
     /// `stage` must outlive it.
     OperatorsPage(Stage& stage, OperatorHooks hooks) : stage_(stage), hooks_(std::move(hooks)) {}
 
-    /// Shown anew, locked. `session_open`: one is under way, which leaving cuts off.
-    void open(bool session_open);
+    /// Shown anew, locked. `session_open`: one is under way, which leaving cuts off. The session on
+    /// the screen, which still writes, cannot be withdrawn before the next participant's turn.
+    void open(bool session_open, const std::string& session_on_screen);
     /// Draws it; gives the operator's wish to leave the kiosk or to go back to it.
     [[nodiscard]] std::optional<Event> draw();
     /// Does what was pressed, between two frames. True: another page stood over it meanwhile.
     [[nodiscard]] bool act();
 
   private:
-    void unlock();
     void try_pin();
     void show_overview();
     void choose();
@@ -49,6 +49,7 @@ class OperatorsPage {
     OperatorHooks hooks_;
     OperatorView view_;
     OperatorReport report_;
+    std::string session_on_screen_;
     std::optional<OperatorAct> pressed_;
     int wrong_pins_ = 0;
     double next_pin_s_ = 0.0;

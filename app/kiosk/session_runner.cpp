@@ -206,7 +206,7 @@ bool SessionRunner::load_pair() {
 void SessionRunner::show_first_frame() {
     if (procedure_.screen() == Screen::kConfirmLeave && opened_ != procedure_.request()) {
         opened_ = procedure_.request();
-        operators_.open(procedure_.session_open());
+        operators_.open(procedure_.session_open(), procedure_.plan().session_id);
     }
     if (is_still(procedure_.screen())) {
         stage_.window.hide_pointer();

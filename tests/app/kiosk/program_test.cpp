@@ -183,6 +183,16 @@ TEST(KioskProgram, TheOperatorsPageIsBehindItsPinAndWithdrawsWhoeverIsChosen) {
     visitor.sign_in();
     visitor.answer_pair("1", 1);
     visitor.answer_pair("1", 2);
+    visitor.turn("ctrl+shift+q");
+    visitor.turn("w");
+    visitor.press("space");
+    visitor.settle();
+    visitor.press("Escape");
+    visitor.settle();
+    EXPECT_EQ(visitor.store().trials().size(), 2U) << "whoever is at the kiosk is not erased";
+    visitor.press("Escape");
+    visitor.settle();
+    visitor.turn("ctrl+shift+n");
     set_pin(pin_file(shown.data), "2718");
     visitor.turn("ctrl+shift+q");
     visitor.display().keys({"l", "w", "1", "1", "1", "1", "Return"});
