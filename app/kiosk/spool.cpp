@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 Spool::Spool(const fs::path& folder, const std::string& store_url) {
     constexpr std::size_t kDigits = 16;
     const std::string server = analysis::store_address(store_url).shown;
-    own_ = fs::absolute(folder) /
-           ("session-" + base::sha256_hex(server).substr(0, kDigits) + ".txt");
+    own_ =
+        fs::absolute(folder) / ("session-" + base::sha256_hex(server).substr(0, kDigits) + ".txt");
     file_ =
         fs::absolute(folder) / ("spool-" + base::sha256_hex(server).substr(0, kDigits) + ".sqlite");
 }

@@ -36,7 +36,7 @@ class Spool {
   private:
     std::filesystem::path file_;
     std::filesystem::path own_;  ///< file with the id of the session that ran here last
-    std::vector<Row> session_;  ///< of the session under way, from its beginning
+    std::vector<Row> session_;   ///< of the session under way, from its beginning
 };
 
 }  // namespace obscura::app::kiosk
