@@ -38,6 +38,7 @@ Option Option::existing_folder() const {
 Option Option::folder() const { return Option(*option_->type_name("FOLDER")); }
 Option Option::comma_separated() const { return Option(*option_->delimiter(',')); }
 Option Option::repeatable() const { return Option(*option_->allow_extra_args(false)); }
+Option Option::value_optional() const { return Option(*option_->expected(0, 1)); }
 Option Option::needs(const Option& other) const { return Option(*option_->needs(other.option_)); }
 Option Option::excludes(const std::vector<Option>& others) const {
     for (const Option& other : others) option_->excludes(other.option_);
