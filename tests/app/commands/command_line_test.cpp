@@ -32,9 +32,9 @@ void each_option(const DescribedCommand& command, const std::string& path,
 }
 
 TEST(Vocabulary, HasOneKindOfValueForOneOptionWhereverItIs) {
-    const std::set<std::string> words{"",      "FILE",  "FOLDER",    "NUMBER", "N",
-                                      "NAME",  "WxH",   "KEY=VALUE", "URL",    "X,Y,Z",
-                                      "LEVEL", "SCENE", "ID",        "K/N",    "FILE|reference"};
+    const std::set<std::string> words{
+        "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",   "KEY=VALUE", "URL",
+        "X,Y,Z", "LEVEL", "SCENE",  "ID",     "K/N", "FILE|reference", "REASON"};
     const std::set<std::string> differ{"--out", "--scene", "--study"};
     std::map<std::string, std::string> kinds;
     each_option(made_program().described(), "obscura", [&](const auto& path, const auto& option) {
