@@ -124,6 +124,8 @@ void read_study_table(const toml::table& table, const toml::table* texts, Study&
     if (const auto opacity = reader.number("occluding_opacity", Need::kOptional, 0.01, 1.0)) {
         study.occluding_opacity = static_cast<float>(*opacity);
     }
+    study.match_luminance =
+        reader.flag("match_luminance", Need::kOptional).value_or(study.match_luminance);
     study.grey_ms = static_cast<int>(
         reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
     study.grey_level = static_cast<int>(
