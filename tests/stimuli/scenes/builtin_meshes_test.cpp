@@ -29,6 +29,8 @@ constexpr std::array kKnown{
     Known{"atrium", "stone floats", "blocks of the niches' frames, set into their wall's recess"},
     Known{"atrium", "gallery sees plaster and stone in one place", "a niche's sill, 5 rays"},
     Known{"atrium", "nave sees the back of stone", "the foot of a capital's leaf, 4 rays"},
+    Known{"garden", "bench sees out of the scene", "low at the wall, 3 rays, not found yet"},
+    Known{"garden", "border sees out of the scene", "the same, 4 rays"},
     Known{"machine", "brass floats", "an oiler on its rod"},
     Known{"machine", "cylinder sees enamel and enamel in one place", "a pump's flange, 4 rays"},
     Known{"machine", "gears sees enamel and enamel in one place", "the same, 5 rays"},

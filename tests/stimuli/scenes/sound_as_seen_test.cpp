@@ -20,7 +20,7 @@ bool upwards(const renderer::Camera&, const glm::vec3& way) { return way.y > -0.
 renderer::Scene block_on_floor() {
     renderer::Scene scene = tests::empty_scene();
     scene.cameras = {tests::forward_camera()};
-    tests::add_quad(scene, {-20.0F, -1.0F, 20.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -100.0F});
+    tests::add_quad(scene, {-100.0F, -1.0F, 20.0F}, {200.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -100.0F});
     tests::add_box(scene, {-1.0F, -1.0F, -6.0F}, {1.0F, 0.5F, -4.0F});
     return scene;
 }
@@ -40,7 +40,7 @@ TEST(SoundAsSeen, AHoleIsFoundByWhatIsSeenThroughIt) {
 
 TEST(SoundAsSeen, FacesInOnePlaceAreFoundAndThoseBackToBackAreNot) {
     renderer::Scene scene = block_on_floor();
-    tests::add_quad(scene, {-0.5F, -0.5F, -3.9995F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.5F, 0.0F});
+    tests::add_quad(scene, {-0.5F, -0.5F, -3.99995F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.5F, 0.0F});
     EXPECT_THAT(faults_as_seen(scene, upwards), ElementsAre(HasSubstr("in one place")));
     scene = block_on_floor();
     tests::add_box(scene, {-1.0F, 0.5F, -6.0F}, {1.0F, 0.8F, -4.0F});  // stands on the block
