@@ -137,12 +137,11 @@ void add_stimuli(ReportDraft& draft) {
     const bool is_published = is_published_votes(input.analysis.tally);
     draft.page.heading("What was compared");
     if (!input.study.question.empty()) {
-        draft.page.paragraph(
-            fmt::format("Each participant saw the two images of a pair one after the other, with a "
-                        "grey screen between them, and was asked: “{}” One of the two had to be "
-                        "chosen. The images of a pair differ in their ambient occlusion and in "
-                        "nothing else.",
-                        input.study.question));
+        draft.page.paragraph(fmt::format(
+            "Each participant saw the two images of a pair {}, and was asked: “{}” One of "
+            "the two had to be chosen. The images of a pair differ in their ambient "
+            "occlusion and in nothing else.",
+            input.study.shown, input.study.question));
     }
     draft.page.table(
         conditions_table(input),

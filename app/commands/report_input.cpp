@@ -97,7 +97,7 @@ void add_sources(analysis::ReportInput& input, const ReportSources& sources) {
     std::string name = input.analysis.tally.study;
     if (sources.study) {
         const stimuli::Study& study = *sources.study;
-        input.study = {study.title, study.question, static_cast<double>(study.grey_ms),
+        input.study = {study.title, study.question, to_words(study.presentation),
                        std::string(to_string(study.order))};
         name = sources.study->name;
     }

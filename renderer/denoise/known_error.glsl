@@ -84,10 +84,10 @@ void main() {
         sum += weight * moments_at(at).xy;
         weights += weight;
     }
-    vec2 mean = sum / weights;
+    // Division need not be exactly rounded: the mean of ones may come out as more than one.
+    vec2 mean = w > 1.0 / kBackgroundLimit_m ? min(sum / weights, 1.0) : vec2(1.0);
 #ifdef ACROSS
-    bool seen = w > 1.0 / kBackgroundLimit_m;
-    o_moments = vec4(seen ? mean : vec2(1.0), own.z, 0.0);
+    o_moments = vec4(mean, own.z, 0.0);
 #else
     float variance = max(mean.y - mean.x * mean.x, 0.0);
     float count = float(max(u_samples, 1));
