@@ -91,7 +91,7 @@ PageTable conditions_table(const ReportInput& input) {
 }
 
 /// Brightness, contrast and error of each pair's images; no rows where nothing is known.
-PageTable differences_table(const ReportInput& input) {
+PageTable image_facts_table(const ReportInput& input) {
     PageTable table{{"Condition", "Pixels that differ (%)", "Luminance A", "Luminance B",
                      "B against A (%)", "Contrast A", "Contrast B", "RMSE A", "RMSE B"},
                     {}};
@@ -149,7 +149,7 @@ void add_stimuli(ReportDraft& draft) {
         "ambient light only, moderate irradiance from an environment, high that and a "
         "sun with shadows. The number in a variant's name counts its samples; behind it stands "
         "what differs where two would have the same name (R: radius in m).");
-    if (PageTable differences = differences_table(input); !differences.rows.empty()) {
+    if (PageTable differences = image_facts_table(input); !differences.rows.empty()) {
         draft.page.table(
             differences,
             "What the two images of a pair differ in. Pixels that differ: by a just-noticeable 2.3 "
