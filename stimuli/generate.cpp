@@ -190,6 +190,21 @@ std::vector<ManifestPair> of_selected(const Selection& selection, std::vector<Ma
     return pairs;
 }
 
+/// The warnings that concern the selected pairs.
+std::vector<std::string> warnings_of_selected(const Study& study, const Selection& selection,
+                                              const Manifest& manifest,
+                                              const std::vector<ManifestPair>& pairs) {
+    std::vector<std::string> warnings = warnings_of(study, of_selected(selection, pairs));
+    Manifest selected = manifest;
+    std::erase_if(selected.images, [&](const ManifestImage& image) {
+        return !selection.pair.empty() && image.condition != selection.pair;
+    });
+    for (std::string& claim : disordered_claims(study, selected)) {
+        warnings.push_back(std::move(claim));
+    }
+    return warnings;
+}
+
 std::string title_of(const Stimulus& stimulus) {
     return fmt::format("{} ({})", stimulus.file(), stimulus.choice().variant_name());
 }
@@ -269,7 +284,10 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             bytes = encode_png(image);
             entry = renderer.describe(stimulus, frame);
             entry.sha256 = base::sha256_hex(bytes);
-            entry.mean_luminance = mean_luminance(image);
+            const Brightness brightness = brightness_of(image);
+            entry.mean_luminance = brightness.mean;
+            entry.contrast = brightness.contrast;
+            entry.accuracy = renderer.accuracy(stimulus, frame);
         }
         if (is_of_one_colour(image)) {
             base::log::warn("warning: {}: the whole image has one colour", stimulus.file());
@@ -294,7 +312,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
     generated.pairs = of_selected(selection, manifest.pairs);
-    generated.warnings = warnings_of(study, generated.pairs);
+    generated.warnings = warnings_of_selected(study, selection, manifest, generated.pairs);
     const bool up_to_date = generated.made == 0 && known == manifest.pairs &&
                             problems_of_stimuli(study, folder).empty();
     if (!up_to_date && (generated.complete || selection.shards == 1)) {
@@ -345,8 +363,8 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
         ++verified.checked;
         progress.step(title_of(stimulus));
     }
-    verified.warnings = warnings_of(
-        study, of_selected(selection, pairs_with_reasons(study, manifest, folder, renderer)));
+    verified.warnings = warnings_of_selected(study, selection, manifest,
+                                             pairs_with_reasons(study, manifest, folder, renderer));
     return verified;
 }
 

@@ -139,6 +139,10 @@ Hypothesis read_hypothesis(TableReader& reader, const std::string& id, const Stu
                             .value_or(hypothesis.margin);
     const auto role = reader.choice("role", Need::kOptional, names_of(kHypothesisRoles));
     if (role == to_string(HypothesisRole::kSecondary)) hypothesis.role = HypothesisRole::kSecondary;
+    hypothesis.accuracy = reader.flag("accuracy", Need::kOptional).value_or(false);
+    if (hypothesis.accuracy && is_interaction) {
+        reader.add("accuracy", "is not allowed for kind interaction, which orders no images");
+    }
     const char* const other = is_interaction ? "conditions" : "pairs";
     if (!kind) {
         reader.allow("conditions");

@@ -109,6 +109,8 @@ struct Study {
     int supersampling = 1;  ///< samples of surfaces and light along each side of a pixel
     /// Blended surfaces at least this opaque are seen by the techniques; nothing: none are.
     std::optional<float> occluding_opacity;
+    /// The second image of each pair (b) is made as bright as the first by an exposure.
+    bool match_luminance = false;
     Presentation presentation;
     OrderKind order = OrderKind::kLatinSquare;
     SideOrder sides = SideOrder::kSession;

@@ -89,6 +89,8 @@ void read_study_table(const toml::table& table, const toml::table* texts, Study&
     if (const auto opacity = reader.number("occluding_opacity", Need::kOptional, 0.01, 1.0)) {
         study.occluding_opacity = static_cast<float>(*opacity);
     }
+    study.match_luminance =
+        reader.flag("match_luminance", Need::kOptional).value_or(study.match_luminance);
     read_presentation(reader, study.presentation);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);

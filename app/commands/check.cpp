@@ -23,13 +23,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The study's images, where they are there; nothing is rendered or traced.
+struct Images {
+    stimuli::Manifest manifest;
+    std::vector<stimuli::ManifestPair> pairs;
+};
+
+Images images_of(const stimuli::Study& study, const std::filesystem::path& folder) {
+    try {
+        Images images{stimuli::load_manifest(folder / "manifest.json"), {}};
+        images.pairs = stimuli::compared_pairs(study, images.manifest, folder);
+        return images;
+    } catch (const base::Error&) {
+        return {};  // run and render say what is wrong with it
+    }
+}
+
 /// What may not be as the author expects, of the study and of its images where they are there.
-std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals& globals) {
+std::vector<std::string> warnings_of(const stimuli::Study& study, const Images& images) {
     std::vector<std::string> warnings = stimuli::warnings_of(study);
-    const std::filesystem::path folder = stimuli::stimuli_folder(globals.data, study);
-    for (std::string& warning :
-         stimuli::warnings_of(study, stimuli::compared_pairs(study, folder))) {
+    for (std::string& warning : stimuli::warnings_of(study, images.pairs)) {
         warnings.push_back(std::move(warning));
+    }
+    for (std::string& claim : stimuli::disordered_claims(study, images.manifest)) {
+        warnings.push_back(std::move(claim));
     }
     const analysis::Tally planned = planned_tally(study);
     for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
@@ -64,8 +81,10 @@ Findings findings_of(const std::string& word, const Globals& globals) {
     std::stable_sort(found.problems.begin(), found.problems.end(),
                      [](const auto& a, const auto& b) { return a.line < b.line; });
     if (!found.problems.empty()) return found;
-    found.warnings = warnings_of(found.study, globals);
-    for (const auto& notes : {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study)}) {
+    const Images images = images_of(found.study, stimuli::stimuli_folder(globals.data, found.study));
+    found.warnings = warnings_of(found.study, images);
+    for (const auto& notes : {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study),
+                              stimuli::facts_of(found.study, images.manifest, images.pairs)}) {
         found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     }
     if (const std::string note = kiosk::note_on_words(found.study); !note.empty()) {
