@@ -204,7 +204,13 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     const auto scene = model().scene();
     base::write_file_atomically(folder_ / "zeros.glb", std::string(1 << 20, '\0'));
     base::write_file_atomically(folder_ / "picture.png", "no picture");
-    for (const char* name : {"zeros.glb", "picture.png", "gone.obj"}) {
+    // As large as they say, but with nothing on the disk.
+    for (const char* name : {"vast.glb", "vast.gltf", "vast.obj", "vast.toml"}) {
+        base::write_file_atomically(folder_ / name, "");
+        fs::resize_file(folder_ / name, std::uintmax_t{4} << 30);
+    }
+    for (const char* name : {"zeros.glb", "picture.png", "gone.obj", "vast.glb", "vast.gltf",
+                             "vast.obj", "vast.toml"}) {
         const std::size_t before = explorer_->state().messages.size();
         try {
             explorer_->open((folder_ / name).string());
@@ -223,6 +229,28 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     fs::remove(folder_ / "brief.glb");
     ASSERT_TRUE(wait_until([&] { return explorer_->at_rest(); }));
     ASSERT_TRUE(wait_for_images());
+}
+
+TEST_F(ExplorerDriven, ADriverThatFailsIsSaidAndAnotherContextDrawsOn) {
+    ASSERT_TRUE(wait_for_images());
+    const std::size_t before = explorer_->state().messages.size();
+    // Shaders that nobody finds: the renderer fails as it does where its context is lost.
+    ::setenv("OBSCURA_SHADERS", (folder_ / "none").c_str(), 1);
+    model().change(
+        [](Choices& to) {
+            to.b.technique = "hbao";
+            to.b.samples = 16;
+            to.b.parameters.clear();
+        },
+        "", ExplorerWindow::now_s());
+    const bool said = wait_until([&] { return explorer_->state().messages.size() > before; });
+    ::unsetenv("OBSCURA_SHADERS");
+    ASSERT_TRUE(said);
+    EXPECT_TRUE(explorer_->state().messages.back().problem);
+    EXPECT_THAT(explorer_->state().messages.back().text, testing::HasSubstr("cannot be rendered"));
+    EXPECT_EQ(model().choices().b.technique, "hbao") << "what was chosen is lost";
+    model().change([](Choices& to) { to.b.samples = 8; }, "", ExplorerWindow::now_s());
+    EXPECT_TRUE(wait_for_images());
 }
 
 TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
