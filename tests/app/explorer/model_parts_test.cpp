@@ -290,7 +290,9 @@ TEST(ExplorerPresets, AreThosePapersCompareWithTheRadiusOfTheScene) {
             EXPECT_TRUE(renderer::problems_of(preset.variant).empty()) << preset.name;
             EXPECT_EQ(preset.variant.technique, technique.name);
             const auto radius = preset.variant.parameters.find("radius_m");
-            if (radius != preset.variant.parameters.end()) EXPECT_EQ(radius->second, 0.3125);
+            if (radius != preset.variant.parameters.end()) {
+                EXPECT_EQ(radius->second, 0.3125);
+            }
             if (preset.name.find(" 20") != std::string::npos) ++found;
         }
     }
