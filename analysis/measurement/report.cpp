@@ -305,6 +305,7 @@ std::string report_text(const MeasurementReport& report) {
                                 cell(row.error, &AccessibilityError::p99));
         }
     }
+    if (!report.overview.empty()) text += '\n' + overview_text(report.overview);
     if (!report.findings.empty()) text += '\n';
     for (const std::string& finding : report.findings) text += finding + '\n';
     if (report.asks_order && !report.rows.empty()) {
@@ -336,6 +337,7 @@ std::vector<fs::path> write_report(const MeasurementReport& report, const fs::pa
         folder.write("measure.csv", measurement_csv(report.rows));
         folder.write("measure.json", json_of(report));
     }
+    if (!report.overview.empty()) folder.write("overview.csv", overview_csv(report.overview));
     if (!report.fitted.empty()) folder.write("fitted.csv", fitted_csv(report.fitted));
     if (!report.growth.empty()) folder.write("growth.csv", growth_csv(report.growth));
     if (!report.hard_cases.empty()) {
@@ -347,6 +349,11 @@ std::vector<fs::path> write_report(const MeasurementReport& report, const fs::pa
     if (!report.findings.empty()) {
         page.heading("What it found");
         page.list(report.findings);
+    }
+    if (!report.overview.empty()) {
+        page.heading("All techniques");
+        folder.draw_on(page, overview_chart(report.overview));
+        page.table(overview_table(report.overview));
     }
     put_speed_and_error(report, page, folder);
     put_details(report, page, folder);

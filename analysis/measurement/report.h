@@ -9,6 +9,7 @@
 
 #include "analysis/measurement/growth.h"
 #include "analysis/measurement/hard_case_table.h"
+#include "analysis/measurement/overview.h"
 #include "analysis/measurement/plots.h"
 #include "analysis/measurement/row.h"
 
@@ -45,16 +46,18 @@ struct MeasurementReport {
     bool of_study = true;               ///< false: of scenes without a study, which shows nothing
     bool asks_order = false;  ///< whether the study assumes the thesis's order of techniques
     std::vector<MeasurementRow> rows;
+    std::vector<OverviewRow> overview;  ///< of settings over all views, where it was asked for
     std::vector<Fitted> fitted;
     std::vector<ErrorMap> maps;
     std::vector<Growth> growth;
     std::vector<HardCaseRow> hard_cases;
 };
 
-/// Writes measure.csv, measure.json, hard-cases.csv, growth.csv and fitted.csv (each where there is
-/// something in it), the plots with their data and scripts, the error maps and measure.html, which
-/// holds all of it. Gives what was written, the page last. Where gnuplot draws nothing, tables come
-/// all the same and the page says why. Throws failure when a file cannot be written.
+/// Writes measure.csv, measure.json, overview.csv, hard-cases.csv, growth.csv and fitted.csv (each
+/// where there is something in it), the plots with their data and scripts, the error maps and
+/// measure.html, which holds all of it. Gives what was written, the page last. Where gnuplot draws
+/// nothing, tables come all the same and the page says why. Throws failure when a file cannot be
+/// written.
 std::vector<std::filesystem::path> write_report(const MeasurementReport& report,
                                                 const std::filesystem::path& folder);
 

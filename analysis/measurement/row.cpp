@@ -214,6 +214,14 @@ std::vector<Column> further_columns() {
          [](const Row& r) -> Cell {
              return {r.frame.p95_ms, ""};
          }},
+        {"second_layer_ms",
+         [](const Row& r) -> Cell {
+             return {r.layer_ms, ""};
+         }},
+        {"bytes",
+         [](const Row& r) -> Cell {
+             return {r.bytes, ""};
+         }},
         {"pixels", [](const Row& r) { return possible(r.error, &Error::pixels); }},
         {"interior_rmse", [](const Row& r) { return possible(r.interior, &Error::rmse); }},
         {"interior_bias", [](const Row& r) { return possible(r.interior, &Error::bias); }},

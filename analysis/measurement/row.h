@@ -48,7 +48,9 @@ struct MeasurementRow {
     TimeSummary filter;      ///< the denoise filter alone
     TimeSummary frame;       ///< every pass of the image
     int runs = 0;            ///< that were timed, after those that were thrown away
+    double layer_ms = 0.0;   ///< median of a second layer's geometry, which is none of `cost`
     int fetches_per_px = 0;  ///< the most texture reads that one pixel may make
+    std::size_t bytes = 0;   ///< of the buffers that technique, filter and second layer write
 
     std::size_t nonfinite = 0;  ///< values of the float buffers that are NaN or infinite
     Possible<AccessibilityError> error = AccessibilityError{};     ///< surfaces only

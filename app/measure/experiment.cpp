@@ -27,8 +27,8 @@ constexpr std::pair<const char*, const char*> kNotThere[] = {
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> list = {
-        jakobsen_order(), whinham_samples(), sunet_depth(),         sunet_normals(),
-        sunet_blur(),     sunet_methods(),   hussain_performance(), hussain_quality()};
+        front(),      jakobsen_order(), whinham_samples(),     sunet_depth(),    sunet_normals(),
+        sunet_blur(), sunet_methods(),  hussain_performance(), hussain_quality()};
     return list;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/measure/measured_view.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::app {
@@ -26,20 +27,22 @@ struct Finding {
     std::string because;  ///< the figures
 };
 
-/// A paper's experiment, run on one view of each scene of the study.
+/// A paper's experiment, or `front` of our own, run on one view of each scene of the study.
 struct Experiment {
     struct Setting {
         std::string name;
         renderer::Variant variant;  ///< lengths that it does not set are the study's on each scene
+        Values values = Values::kPublished;
     };
 
     std::string name;  ///< as on the command line: sunet-5.3
     std::string title;
     std::vector<Setting> settings;
-    /// Of the outcomes, one for each setting in its order.
+    /// Of the outcomes, one for each setting in its order; nullptr: no paper concludes anything.
     std::vector<Finding> (*judge)(const std::vector<Outcome>& outcomes) = nullptr;
     /// What cannot be judged here, in a sentence; empty: nothing.
     std::string silent_on;
+    bool overview = false;  ///< also the table and chart of all settings
 };
 
 /// All, in the order of the papers.
@@ -66,6 +69,7 @@ struct Experiment {
 /// The names from the smallest value to the largest: `a 1.2, b 3.4`.
 [[nodiscard]] std::string in_order(const std::vector<Outcome>& outcomes, double Outcome::*value);
 
+[[nodiscard]] Experiment front();
 [[nodiscard]] Experiment sunet_depth();
 [[nodiscard]] Experiment sunet_normals();
 [[nodiscard]] Experiment sunet_blur();

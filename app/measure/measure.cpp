@@ -126,8 +126,8 @@ std::vector<std::string> method_of(const MeasureRequest& request, const TimerChe
         fmt::format(
             "The accessibility pass and the filter of each setting are run {} times, in turn "
             "with all other settings of the view; the first {} are thrown away. The other "
-            "passes of a frame are timed {} times for each plan, and frame times are the "
-            "sum. Times are of {}.",
+            "passes of a frame are timed {} times for all settings that have the same, and frame "
+            "times are the sum. Times are of {}.",
             kDiscardedRuns + *request.runs, kDiscardedRuns, *request.runs,
             timers.use_queries ? "the driver's timestamp queries"
                                : "glFinish and a monotonic clock"),

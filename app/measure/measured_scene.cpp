@@ -47,8 +47,8 @@ renderer::View MeasuredScene::shown(const MeasuredView& view) {
 }
 
 renderer::Frame MeasuredScene::render(const MeasuredView& view, const renderer::Variant& choice,
-                                      int width, int height) {
-    return renderer_.render(shown(view), choice, width, height);
+                                      int width, int height, const renderer::ViewBuffers& known) {
+    return renderer_.render(shown(view), choice, width, height, known);
 }
 
 std::vector<renderer::PassTime> MeasuredScene::render_again(const MeasuredView& view,

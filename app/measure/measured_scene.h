@@ -20,10 +20,12 @@ class MeasuredScene {
   public:
     explicit MeasuredScene(const MeasureRequest& request) : request_(request) {}
 
-    /// Every buffer of one image, as the study shows it. Throws bad input for a scene without
-    /// triangles.
+    /// Every buffer of one image, as the study shows it; those of `known`, an image of the same
+    /// view and size, are taken over where they would be the same. Throws bad input for a scene
+    /// without triangles.
     [[nodiscard]] renderer::Frame render(const MeasuredView& view, const renderer::Variant& choice,
-                                         int width, int height);
+                                         int width, int height,
+                                         const renderer::ViewBuffers& known = {});
 
     /// Accessibility and filter of another choice with the same plan, once more on those buffers.
     std::vector<renderer::PassTime> render_again(const MeasuredView& view, renderer::Frame& frame,

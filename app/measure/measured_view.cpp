@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/denoise/denoise.h"
 #include "stimuli/scenes/open_scene.h"
 
 namespace obscura::app {
@@ -138,14 +137,12 @@ std::optional<std::string> problem_of(const Technique& technique, int samples) {
     return std::nullopt;
 }
 
-std::vector<std::string> filters_of(const MeasureRequest& request) {
+/// Those asked for; else the usual one, and the technique's own where it has one.
+std::vector<std::string> filters_of(const MeasureRequest& request, const Technique& technique) {
     if (!request.filters.empty()) return request.filters;
-    if (request.quick) return {kPlottedFilter};
-    std::vector<std::string> filters;
-    for (const renderer::Denoise& filter : renderer::denoise_filters()) {
-        filters.push_back(filter.name);
-    }
-    return filters;
+    const std::string own = renderer::standard_denoise(technique);
+    if (request.quick || own == kPlottedFilter || own == "none") return {kPlottedFilter};
+    return {kPlottedFilter, own};
 }
 
 bool is_among(const std::vector<Valued>& list, const Variant& choice) {
@@ -315,7 +312,7 @@ std::vector<Valued> settings_of(const MeasureRequest& request, const MeasuredVie
             // The other ways in which a study shows a technique get the settings it shows; all of
             // those that were asked for where some were.
             if (&way != &ways.front() && !as_asked) continue;
-            for (const std::string& filter : filters_of(request)) {
+            for (const std::string& filter : filters_of(request, technique)) {
                 choice.denoise = filter;
                 for (const int count : samples_of(request, technique)) {
                     choice.samples = count;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/measure/experiment.h"
+#include "app/measure/overview_of.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
@@ -61,7 +62,7 @@ void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
         std::vector<Setting> settings;
         for (const Experiment::Setting& setting : experiment.settings) {
             const renderer::Variant variant = on_view(setting.variant, view, study);
-            settings.push_back({variant, truth_radius_m(view, variant), Values::kPublished, ""});
+            settings.push_back({variant, truth_radius_m(view, variant), setting.values, ""});
         }
         SweptView swept = sweep(stage, request, view, settings, timers,
                                 [&progress](const std::string& what) { progress.step(what); });
@@ -71,9 +72,14 @@ void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
     for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
         outcomes.push_back(
             mean_of(experiment.settings[i].name, report.rows, i, experiment.settings.size()));
-        report.findings.push_back(in_a_sentence(outcomes.back()));
+        if (!experiment.overview) report.findings.push_back(in_a_sentence(outcomes.back()));
     }
-    for (const Finding& finding : experiment.judge(outcomes)) {
+    if (experiment.overview) {
+        report.overview = overview_of(report.rows, experiment.settings);
+    }
+    const std::vector<Finding> findings =
+        experiment.judge != nullptr ? experiment.judge(outcomes) : std::vector<Finding>{};
+    for (const Finding& finding : findings) {
         report.findings.push_back(fmt::format("The paper: {}. Here {}: {}.", finding.conclusion,
                                               finding.agrees ? "too" : "not", finding.because));
     }

@@ -97,21 +97,60 @@ analysis::ErrorMap compare(analysis::MeasurementRow& row, const Frame& frame,
 }
 
 /// The buffers of a plan, which any setting with that plan can be run on.
-struct PlanFrame {
-    Variant choice;  ///< the first one with this plan
-    Frame frame;
-    std::vector<double> others_ms;  ///< of the passes beside accessibility and filter, run by run
+using PlanFrames = std::map<std::string, Frame>;
+
+/// The passes beside accessibility and filter of plans that have the same ones, run by run.
+struct OtherPasses {
+    Variant choice;  ///< the first one with them
+    std::vector<double> ms;
+    std::vector<double> layer_ms;  ///< of them, a second layer's
 };
-using PlanFrames = std::map<std::string, PlanFrame>;
+
+std::string key_of(const renderer::PlannedTarget& target) {
+    return fmt::format("{} {} {}x{} ", target.name, target.format, target.width, target.height);
+}
 
 /// Equal for plans with the same passes and buffers.
 std::string key_of(const renderer::FramePlan& plan) {
     std::string key;
     for (const renderer::PlannedPass& pass : plan.passes) key += pass.name + ' ';
-    for (const renderer::PlannedTarget& target : plan.targets) {
-        key += fmt::format("{} {} {}x{} ", target.name, target.format, target.width, target.height);
+    for (const renderer::PlannedTarget& target : plan.targets) key += key_of(target);
+    return key;
+}
+
+/// Equal for plans whose passes beside accessibility and filter are the same.
+std::string key_of_others(const renderer::FramePlan& plan) {
+    std::string key;
+    for (const renderer::PlannedPass& pass : plan.passes) {
+        if (renderer::is_of_the_variant(pass.phase)) continue;
+        key += pass.name + ' ';
+        for (const std::string& buffer : pass.writes) key += key_of(*plan.find(buffer));
     }
     return key;
+}
+
+/// Of the buffers that a setting has for itself.
+std::size_t bytes_of_the_variant(const renderer::FramePlan& plan) {
+    std::map<std::string, std::size_t> bytes;
+    for (const renderer::PlannedPass& pass : plan.passes) {
+        if (!renderer::is_of_the_variant(pass.phase) &&
+            pass.phase != renderer::Phase::kSecondLayer) {
+            continue;
+        }
+        for (const std::string& buffer : pass.writes) bytes[buffer] = plan.find(buffer)->bytes;
+    }
+    std::size_t sum = 0;
+    for (const auto& [buffer, of_buffer] : bytes) sum += of_buffer;
+    return sum;
+}
+
+double second_layer_ms(const Frame& frame, bool use_queries) {
+    double sum_ms = 0.0;
+    for (const renderer::PassTime& time : frame.times) {
+        if (time.phase != renderer::Phase::kSecondLayer) continue;
+        sum_ms += use_queries ? time.query_milliseconds : time.milliseconds;
+    }
+    return sum_ms;
 }
 
 }  // namespace
@@ -159,39 +198,50 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
         swept.rows.back().timer = timers.timer();
     }
     PlanFrames frames;
+    std::map<std::string, OtherPasses> others;
     std::vector<std::string> plans;
+    std::vector<std::string> plans_of_others;
+    renderer::ViewBuffers known;  // what no setting changes is drawn once
     const auto step_of = [&](const Setting& setting) {
         step(fmt::format("{} {} {}", view.scene->id, view.camera, setting.choice.variant_name()));
     };
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const double radius_m = settings[i].truth_radius_m;
-        Frame frame = stage.render(view, settings[i].choice, *request.width, *request.height);
+        Frame frame =
+            stage.render(view, settings[i].choice, *request.width, *request.height, known);
+        renderer::ViewBuffers buffers = frame.view_buffers();
+        if (frame.taken_over().size() < buffers.times.size()) known = std::move(buffers);
         analysis::ErrorMap map =
             compare(swept.rows[i], frame,
                     stage.truth(view, radius_m, *request.width, *request.height, *request.rays),
                     true_images.at(radius_m));
         if (!swept.rows[i].published.empty()) swept.maps.emplace_back(i, std::move(map));
+        swept.rows[i].bytes = bytes_of_the_variant(frame.plan());
         plans.push_back(key_of(frame.plan()));
-        frames.try_emplace(plans.back(), PlanFrame{settings[i].choice, std::move(frame), {}});
+        plans_of_others.push_back(key_of_others(frame.plan()));
+        others.try_emplace(plans_of_others.back(), OtherPasses{settings[i].choice, {}, {}});
+        frames.try_emplace(plans.back(), std::move(frame));
         step_of(settings[i]);
     }
     for (int run = 0; run < *request.runs; ++run) {
-        for (auto& [key, of_plan] : frames) {
-            of_plan.frame = stage.render(view, of_plan.choice, *request.width, *request.height);
-            of_plan.others_ms.push_back(others_ms(of_plan.frame, timers.use_queries));
+        for (auto& [key, passes] : others) {
+            const Frame frame = stage.render(view, passes.choice, *request.width, *request.height);
+            passes.ms.push_back(others_ms(frame, timers.use_queries));
+            passes.layer_ms.push_back(second_layer_ms(frame, timers.use_queries));
         }
     }
     std::vector<RunTimes> times(settings.size());
     for (int run = 1; run < kDiscardedRuns + *request.runs; ++run) {
         for (std::size_t i = 0; i < settings.size(); ++i) {
-            const auto passes =
-                stage.render_again(view, frames.at(plans[i]).frame, settings[i].choice);
+            const auto passes = stage.render_again(view, frames.at(plans[i]), settings[i].choice);
             if (run >= kDiscardedRuns) times[i].add(passes, timers.use_queries);
             step_of(settings[i]);
         }
     }
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        times[i].put(swept.rows[i], frames.at(plans[i]).others_ms);
+        const OtherPasses& passes = others.at(plans_of_others[i]);
+        times[i].put(swept.rows[i], passes.ms);
+        swept.rows[i].layer_ms = analysis::summary_of(passes.layer_ms).median_ms;
     }
     return swept;
 }

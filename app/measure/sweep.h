@@ -34,8 +34,8 @@ struct SweptView {
 /// Renders every setting, compares its accessibility with the truth (surfaces only, because empty
 /// pixels are 1 in both), and then runs its accessibility pass and filter again, one setting after
 /// the other and then all again (A B A B): kDiscardedRuns in all are thrown away, request.runs are
-/// timed. The other passes of a frame, which settings with the same plan share, are timed as often
-/// for each plan. `step` is called after each image or repetition.
+/// timed. The other passes of a frame are timed as often, once for all settings that have the same.
+/// `step` is called after each image or repetition.
 [[nodiscard]] SweptView sweep(MeasuredScene& stage, const MeasureRequest& request,
                               const MeasuredView& view, const std::vector<Setting>& settings,
                               const TimerCheck& timers,

@@ -48,5 +48,6 @@ void main() {
             weights += counts ? weight : 0.0;
         }
     }
-    o_accessibility = sum / weights;
+    // Division need not be exactly rounded: the mean of ones may come out as more than one.
+    o_accessibility = w > 1.0 / kBackgroundLimit_m ? min(sum / weights, 1.0) : 1.0;
 }

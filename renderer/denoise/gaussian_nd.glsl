@@ -61,9 +61,11 @@ void main() {
         sum += weight * tap.x;
         weights += weight;
     }
+    // Division need not be exactly rounded: the mean of ones may come out as more than one.
+    float mean = w > 1.0 / kBackgroundLimit_m ? min(sum / weights, 1.0) : 1.0;
 #ifdef ACROSS
-    o_packed = vec2(w > 1.0 / kBackgroundLimit_m ? sum / weights : 1.0, w);
+    o_packed = vec2(mean, w);
 #else
-    o_accessibility = sum / weights;
+    o_accessibility = mean;
 #endif
 }

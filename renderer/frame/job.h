@@ -41,6 +41,10 @@ struct Renderer::Job {
         program.set("u_size", glm::vec2(size));
         program.set("u_ray_scale", of.ray_scale);
         program.set("u_ray_offset", of.ray_offset);
+        set_place_in_image(program, of);
+    }
+    /// Uniforms of passes/depth_of_sample.glsl and of passes/view.glsl, for the attached buffers.
+    void set_place_in_image(gl::Program& program, const CameraMatrices& of) const {
         program.set("u_ray_to_px", 0.5F * glm::vec2(size) / of.ray_scale);
         program.set("u_axis_px", 0.5F * glm::vec2(size) * (1.0F - of.ray_offset / of.ray_scale));
     }

@@ -65,7 +65,8 @@ void Renderer::run_occluders(Job& job) {
         constexpr GLfloat kNothing[2][4] = {{kBackgroundDepth_m, 0, 0, 0}, {0, 0, 0, 0}};
         glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing[0]);
         if (normal) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing[1]);
-        draw_opaque(job, job.camera, "passes/occluders.frag.glsl", defines);
+        draw_opaque(job, job.camera, "passes/occluders.frag.glsl", defines,
+                    [&](gl::Program& shader) { job.set_place_in_image(shader, job.camera); });
     } else {
         const auto copy = [&job](const Buffer& from, const Buffer& to) {
             glCopyImageSubData(job.frame.texture(from), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -81,6 +82,7 @@ void Renderer::run_occluders(Job& job) {
     gl::Program& shader =
         program("passes/geometry.vert.glsl", "passes/occluders.frag.glsl", defines);
     job.set_vertices(shader);
+    job.set_place_in_image(shader, job.camera);
     shader.set("u_occluding_opacity", *job.plan.options.occluding_opacity);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);

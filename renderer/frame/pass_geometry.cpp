@@ -69,7 +69,10 @@ void Renderer::run_geometry(Job& job) {
     if (job.has(Target::kDepth)) clear(framebuffer_.name(), 2, glm::vec4(kBackgroundDepth_m));
     if (job.has(Target::kEmission)) clear(framebuffer_.name(), 3, glm::vec4(0, 0, 0, 1));
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
-    draw_opaque(job, job.camera, "passes/geometry.frag.glsl", defines);
+    const bool depth = job.has(Target::kDepth);
+    draw_opaque(job, job.camera, "passes/geometry.frag.glsl", defines, [&](gl::Program& shader) {
+        if (depth) job.set_place_in_image(shader, job.camera);
+    });
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 

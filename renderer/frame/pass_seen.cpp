@@ -44,11 +44,12 @@ void Renderer::run_second_layer(Job& job) {
     const GLuint depth = job.frame.texture(first.name);
     Defines defines = surface_defines(plan.needs, false);
     defines.push_back("STEP " + std::to_string(step));
-    draw_opaque(job, matrices_of(fewer, job.size.x, job.size.y), "passes/second_layer.frag.glsl",
-                defines, [&](gl::Program& shader) {
-                    bind(shader, "t_depth", depth, 4);
-                    shader.set("u_separation_m", static_cast<float>(plan.separation_m));
-                });
+    const CameraMatrices camera = matrices_of(fewer, job.size.x, job.size.y);
+    draw_opaque(job, camera, "passes/second_layer.frag.glsl", defines, [&](gl::Program& shader) {
+        job.set_place_in_image(shader, camera);
+        bind(shader, "t_depth", depth, 4);
+        shader.set("u_separation_m", static_cast<float>(plan.separation_m));
+    });
 }
 
 }  // namespace obscura::renderer

@@ -51,7 +51,9 @@ std::vector<EGLDisplay> displays() {
     return list;
 }
 
-/// A current OpenGL 4.5 core context on that display; where there is none, `why` says so.
+/// A current OpenGL 4.5 core context on that display; where there is none, `why` says so. The display
+/// stays open as long as the program runs: a driver may keep files of every display that is opened
+/// and closed, and another context may be on it.
 Made make_on(EGLDisplay display, std::string& why) {
     if (display == EGL_NO_DISPLAY) return {};
     EGLint major = 0;
@@ -87,7 +89,6 @@ Made make_on(EGLDisplay display, std::string& why) {
     why +=
         fmt::format("; the driver \"{}\" made no context (EGL error 0x{:x})", name, eglGetError());
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
     return {};
 }
 
@@ -109,7 +110,7 @@ HeadlessContext::HeadlessContext() {
 HeadlessContext::~HeadlessContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    eglReleaseThread();
 }
 
 std::string gpu_renderer() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }

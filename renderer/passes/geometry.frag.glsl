@@ -3,6 +3,9 @@
 // The G-buffer of Jakobsen 2010, Table 1, and the light that surfaces send out.
 #include "passes/normal_codec.glsl"
 #include "passes/surface.glsl"
+#ifdef DEPTH
+#include "passes/depth_of_sample.glsl"
+#endif
 
 #ifdef CUT_OUT
 uniform float u_alpha_cutoff;
@@ -20,6 +23,9 @@ layout(location = 3) out vec4 o_emission;
 #endif
 
 void main() {
+#ifdef DEPTH
+    float depth_m = depth_of_sample(v_view_position);
+#endif
 #ifdef CUT_OUT
     if (surface_alpha() < u_alpha_cutoff) discard;
 #endif
@@ -30,7 +36,7 @@ void main() {
     o_normal = vec4(encode_normal(surface_normal()), specular.y / 255.0);
 #endif
 #ifdef DEPTH
-    o_depth_m = -v_view_position.z;
+    o_depth_m = depth_m;
 #endif
 #ifdef EMISSION
     o_emission = surface_emission();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the technique sees where that is not the image's own G-buffer; with BLENDED, nearly opaque
 // blended surfaces (Filion and McNaughton 2008).
+#include "passes/depth_of_sample.glsl"
 #include "passes/normal_codec.glsl"
 #include "passes/surface.glsl"
 
@@ -16,12 +17,13 @@ layout(location = 1) out vec4 o_normal;
 #endif
 
 void main() {
+    float depth_m = depth_of_sample(v_view_position);
 #ifdef BLENDED
     if (surface_alpha() < u_occluding_opacity) discard;
 #elif defined(CUT_OUT)
     if (surface_alpha() < u_alpha_cutoff) discard;
 #endif
-    o_depth_m = -v_view_position.z;
+    o_depth_m = depth_m;
 #ifdef NORMAL
     o_normal = vec4(encode_normal(surface_normal()), u_specular_power / 255.0);
 #endif

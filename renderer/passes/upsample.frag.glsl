@@ -55,5 +55,5 @@ void main() {
             otherwise = open;
         }
     }
-    o_accessibility = weights > 1.0e-4 ? sum / weights : otherwise;
+    o_accessibility = weights > 1.0e-4 ? min(sum / weights, 1.0) : otherwise;
 }

@@ -48,6 +48,9 @@ Technique layered_technique() {
                                     "How often the sides of the second layer are halved", "", 0.0,
                                     2.0, 0.0, true, false});
     technique.recipe = recipe_of;
+    technique.fitted = {{"reach", 1.034},          {"cut_off", 1.785}, {"thickness", 0.48},
+                        {"step_spread", 2.0},      {"power", 1.392},   {"separation", 0.459},
+                        {"second_thickness", 1.55}};
     technique.reach = "radius_m";
     technique.model = bitmask_model;
     technique.by_nature = slice_nature();

@@ -4,11 +4,12 @@
 // The front of speed against error on the built-in study's three views of moderate and low light:
 // RMSE of the mean square of the three, signed mean, and time over that of the first setting, all
 // settings in turn. Lengths are in the R of each scene.
-//   front_bench [--size WxH] [--rays N] [--runs N] [--fit EVALUATIONS] SETTING...
+//   front_bench [--study FILE] [--size WxH] [--rays N] [--runs N] [--fit EVALUATIONS] SETTING...
 // A SETTING is one argument: `layered 16 denoise=separable preset=fitted reach=1.2 ao_scale=0.5`.
-// With
-// --fit the last one's parameters that it does not set are fitted, one set for all scenes, on the
-// cameras that no view of the study has.
+// `--runs 0` times nothing. With --fit the last one's parameters that it does not set, and those it
+// gives a start (`reach~1.2`), are fitted, one set for all scenes, on the cameras that no view of
+// the study has. Figures of different views are no more comparable than their errors without any
+// technique (`none`): tests/bench/a623740.toml has the views of that commit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -105,6 +106,7 @@ struct Wanted {
     int rays = 512;
     int runs = 9;
     int evaluations = 0;
+    std::string study;
     std::vector<Asked> asked;
 };
 
@@ -113,7 +115,9 @@ Wanted options_of(int count, char** arguments) {
     for (int i = 1; i < count; ++i) {
         const std::string word = arguments[i];
         const auto value = [&] { return std::string(arguments[++i]); };
-        if (word == "--size") {
+        if (word == "--study") {
+            options.study = value();
+        } else if (word == "--size") {
             options.size = parse_size(value());
         } else if (word == "--rays") {
             options.rays = std::stoi(value());
@@ -199,9 +203,11 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
             sums[i].bias += errors.bias * share;
             sums[i].p99 += errors.p99 * share;
             each[i] += fmt::format(" {:.4f}", std::sqrt(errors.square));
+            if (options.runs == 0) continue;
             frames.push_back(stage.render(view, variant, width, height));
             layer_ms[i] += layer_ms_of(frames.back()) * share;
         }
+        if (options.runs == 0) continue;
         for (int run = 0; run < options.runs + 2; ++run) {
             for (std::size_t i = 0; i < options.asked.size(); ++i) {
                 const auto passes = stage.render_again(
@@ -227,8 +233,9 @@ int main(int count, char** arguments) {
     if (options.asked.empty()) return 2;
     MeasureRequest request;
     request.quiet = true;
+    request.study = options.study;
     request.cache = "obscura-data/cache/reference";
-    const stimuli::Study study = stimuli::load_study("");
+    const stimuli::Study study = stimuli::load_study(options.study);
     const std::vector<MeasuredView> views =
         one_a_scene(views_of(request, study, stimuli::builtin_scenes()));
     const renderer::HeadlessContext context;

@@ -148,7 +148,9 @@ TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {
         if (denoise.recipe.steps.empty()) continue;
         const Frame frame = render(tests::facing_wall(5.0F), "blizzard", denoise.name);
         for (const float value : frame.read_floats(Target::kDenoised)) {
-            ASSERT_EQ(value, 1.0F) << denoise.name;
+            // GLSL lets a division be 2.5 units of the last place off (4.7.1), each of two passes.
+            ASSERT_GE(value, 1.0F - 6.0e-7F) << denoise.name;
+            ASSERT_LE(value, 1.0F) << denoise.name;
         }
     }
 }

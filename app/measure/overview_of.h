@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Obscura authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "analysis/measurement/overview.h"
+#include "analysis/measurement/row.h"
+#include "app/measure/experiment.h"
+
+namespace obscura::app {
+
+/// The means of each setting over its views, with ratios and front. `rows` hold all settings of one
+/// view after the other, in the settings' order.
+[[nodiscard]] std::vector<analysis::OverviewRow> overview_of(
+    const std::vector<analysis::MeasurementRow>& rows,
+    const std::vector<Experiment::Setting>& settings);
+
+}  // namespace obscura::app
