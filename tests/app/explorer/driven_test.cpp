@@ -234,8 +234,9 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
 TEST_F(ExplorerDriven, ADriverThatFailsIsSaidAndAnotherContextDrawsOn) {
     ASSERT_TRUE(wait_for_images());
     const std::size_t before = explorer_->state().messages.size();
-    // Shaders that nobody finds: the renderer fails as it does where its context is lost.
-    ::setenv("OBSCURA_SHADERS", (folder_ / "none").c_str(), 1);
+    // A shader that does not compile: the renderer fails as it does where its context is lost.
+    base::write_file_atomically(folder_ / "passes" / "full_screen.vert.glsl", "no shader\n");
+    ::setenv("OBSCURA_SHADERS", folder_.c_str(), 1);
     model().change(
         [](Choices& to) {
             to.b.technique = "hbao";
