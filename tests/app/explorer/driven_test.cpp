@@ -231,29 +231,6 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     ASSERT_TRUE(wait_for_images());
 }
 
-TEST_F(ExplorerDriven, ADriverThatFailsIsSaidAndAnotherContextDrawsOn) {
-    ASSERT_TRUE(wait_for_images());
-    const std::size_t before = explorer_->state().messages.size();
-    // A shader that does not compile: the renderer fails as it does where its context is lost.
-    base::write_file_atomically(folder_ / "passes" / "full_screen.vert.glsl", "no shader\n");
-    ::setenv("OBSCURA_SHADERS", folder_.c_str(), 1);
-    model().change(
-        [](Choices& to) {
-            to.b.technique = "hbao";
-            to.b.samples = 16;
-            to.b.parameters.clear();
-        },
-        "", ExplorerWindow::now_s());
-    const bool said = wait_until([&] { return explorer_->state().messages.size() > before; });
-    ::unsetenv("OBSCURA_SHADERS");
-    ASSERT_TRUE(said);
-    EXPECT_TRUE(explorer_->state().messages.back().problem);
-    EXPECT_THAT(explorer_->state().messages.back().text, testing::HasSubstr("cannot be rendered"));
-    EXPECT_EQ(model().choices().b.technique, "hbao") << "what was chosen is lost";
-    model().change([](Choices& to) { to.b.samples = 8; }, "", ExplorerWindow::now_s());
-    EXPECT_TRUE(wait_for_images());
-}
-
 TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
     ASSERT_TRUE(wait_for_images());
     const char* long_run = std::getenv("OBSCURA_MONKEY_EVENTS");
