@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "analysis/measurement/pareto.h"
 #include "analysis/table/csv.h"
@@ -137,6 +138,7 @@ Plot overview_chart(const std::vector<OverviewRow>& rows) {
     std::vector<std::string> front;
     std::vector<std::string> others;
     std::vector<CostAndError> prices;
+    std::set<std::string> named;
     for (const OverviewRow& row : rows) {
         if (!is_drawn(row)) continue;
         time.hold(row.ratio);
@@ -145,8 +147,12 @@ Plot overview_chart(const std::vector<OverviewRow>& rows) {
         const std::string line = fmt::format("{}\t{}\t{}", shortest(row.ratio), shortest(row.rmse),
                                              plot_cell(row.variant));
         (is_fitted ? fitted : published).push_back(line);
-        (row.on_front ? front : others).push_back(line);
-        prices.push_back({row.ratio, row.rmse});
+        if (row.on_front) {
+            front.push_back(line);
+            prices.push_back({row.ratio, row.rmse});
+        } else if (!is_fitted && named.insert(row.technique).second) {
+            others.push_back(line);  // of each technique one, or nothing could be read
+        }
     }
     std::vector<std::string> steps;
     for (const CostAndError& price : pareto_front(prices)) {
@@ -170,7 +176,7 @@ Plot overview_chart(const std::vector<OverviewRow>& rows) {
     add("published", published,
         "1:2 with points pt 6 ps 1.2 lw 2 lc rgb \"#666666\" title \"as published\"");
     add("fitted", fitted, "1:2 with points pt 7 ps 1.3 lc rgb \"#0072B2\" title \"fitted\"");
-    add("best", front, "1:2:3 with labels left offset 0.7,0.5 font \",12\" notitle");
+    add("best", front, "1:2:3 with labels left rotate by 35 offset 0.4,0.6 font \",11\" notitle");
     add("others", others,
         "1:2:3 with labels left offset 0.7,0.3 font \",9\" textcolor rgb \"#777777\" notitle");
     if (!curves.empty()) {
@@ -178,7 +184,7 @@ Plot overview_chart(const std::vector<OverviewRow>& rows) {
             "set logscale x 2\nset xlabel \"time of accessibility and filter, {} = 1\"\n"
             "set ylabel \"error (RMSE of accessibility, 0 to 1)\"\n"
             "set xrange [{}:{}]\nset yrange [{}:{}]\nset format x \"%g\"\nset format y \"%g\"\n"
-            "set key right top\nset grid xtics ytics lc rgb \"#dddddd\"\n"
+            "set key inside right top\nset grid xtics ytics lc rgb \"#dddddd\"\n"
             "set label \"better\" at graph 0.03,0.05 font \",12\" textcolor rgb \"#009E73\"\n",
             kYardstick, shortest(time.low / 1.2), shortest(time.high * 1.7),
             shortest(std::max(0.0, error.low - 0.1 * (error.high - error.low))),

@@ -42,7 +42,8 @@ void finish_overview(std::vector<OverviewRow>& rows);
 [[nodiscard]] PageTable overview_table(const std::vector<OverviewRow>& rows);
 
 /// Error over time in ratios, which hold on another machine: a point a row, open as published and
-/// filled as fitted, the front with its names. The axes span what is drawn.
+/// filled as fitted, and the front. Names have the rows of the front and, of each technique, the
+/// first other as published. The axes span what is drawn.
 [[nodiscard]] Plot overview_chart(const std::vector<OverviewRow>& rows);
 
 }  // namespace obscura::analysis

@@ -29,8 +29,8 @@ std::string fails_of(const Technique& technique) {
 }
 
 analysis::OverviewRow mean_row(const Experiment::Setting& setting,
-                              const std::vector<analysis::MeasurementRow>& rows, std::size_t first,
-                              std::size_t every) {
+                               const std::vector<analysis::MeasurementRow>& rows, std::size_t first,
+                               std::size_t every) {
     const Technique& technique = *renderer::find_technique(setting.variant.technique);
     analysis::OverviewRow mean;
     mean.variant = setting.name;
