@@ -16,6 +16,7 @@ constexpr double kLongestResponse_s = 3600.0;
 /// Why the condition cannot be the one that is repeated; empty when it can.
 std::string obstacle(const Condition& original, const Condition& repeat) {
     if (original.id == repeat.id) return "is the condition itself";
+    if (original.practice) return "is practice";
     if (original.expected != '\0') return "is an attention check (catch)";
     if (!original.repeats.empty()) {
         return fmt::format("repeats {} itself", in_quotes(original.repeats));
@@ -37,14 +38,15 @@ bool any_condition(const Study& study, const Is& is) {
     return std::any_of(study.conditions.begin(), study.conditions.end(), is);
 }
 
-/// Whether a condition has the key, or one that was meant to be it; true of no conditions at all,
-/// of which something else is said.
+/// Whether a condition that counts has the key, or one that was meant to be it; true of no
+/// conditions at all, of which something else is said.
 bool any_has(const std::vector<const toml::table*>& conditions, const std::string& key) {
     return conditions.empty() ||
            std::any_of(conditions.begin(), conditions.end(), [&](const toml::table* table) {
                std::vector<StudyProblem> ignored;
                const TableReader reader(*table, "", ignored);
-               return reader.has(key) || reader.is_misspelt(key);
+               return !(*table)["practice"].value_or(false) &&
+                      (reader.has(key) || reader.is_misspelt(key));
            });
 }
 
@@ -84,14 +86,25 @@ bool read_identical(TableReader& reader, const Condition& condition) {
     return true;
 }
 
+void check_practice(TableReader& reader, const Condition& condition) {
+    if (!condition.practice) return;
+    if (!condition.hypothesis.empty()) {
+        reader.add("hypothesis", "is not allowed beside practice, whose answers do not count");
+    }
+    if (condition.identical) {
+        reader.add("identical", "is not allowed beside practice, whose answers do not count");
+    }
+}
+
 void read_repeats(TableReader& reader, Condition& condition) {
     condition.repeats = reader.text("repeats", Need::kRequired).value_or("");
-    for (const char* key : {"scene", "hypothesis", "a", "b", "catch", "identical"}) {
+    for (const char* key : {"scene", "hypothesis", "a", "b", "catch", "identical", "practice"}) {
         if (!reader.has(key)) continue;
         reader.allow(key);
         reader.add(key, "is not allowed beside repeats, which takes it from the other condition");
     }
     condition.expected = '\0';
+    condition.practice = false;
     reader.finish();
 }
 
@@ -99,7 +112,8 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
                      std::vector<StudyProblem>& problems) {
     std::vector<std::string> repeatable;
     for (const Condition& condition : study.conditions) {
-        if (condition.repeats.empty() && condition.expected == '\0' && !condition.id.empty()) {
+        if (condition.repeats.empty() && condition.expected == '\0' && !condition.practice &&
+            !condition.id.empty()) {
             repeatable.push_back(condition.id);
         }
     }
@@ -129,7 +143,7 @@ void resolve_repeats(Study& study, const std::vector<const toml::table*>& tables
         }
     }
     if (!study.conditions.empty() && repeatable.empty() &&
-        any_condition(study, [](const auto& c) { return c.expected != '\0'; })) {
+        any_condition(study, [](const auto& c) { return c.expected != '\0' && !c.practice; })) {
         problems.push_back({line_of(*tables.front()),
                             "every condition is an attention check (catch) or a repeat, needed is "
                             "one to vote on"});

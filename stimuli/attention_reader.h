@@ -18,6 +18,8 @@ namespace obscura::stimuli {
 /// Whether the images are meant to be alike; refuses what then has no meaning: a side to be picked
 /// and a hypothesis to vote on.
 [[nodiscard]] bool read_identical(TableReader& reader, const Condition& condition);
+/// Notes what a pair of practice cannot be besides.
+void check_practice(TableReader& reader, const Condition& condition);
 
 /// `repeats`, the whole rest of its condition: whatever else but the id is refused. Which condition
 /// it is shows once all are read.

@@ -175,11 +175,20 @@ std::vector<ManifestPair> known_pairs(const fs::path& folder) {
 
 /// The warnings that concern the selected pairs.
 std::vector<std::string> warnings_of_selected(const Study& study, const Selection& selection,
+                                              const Manifest& manifest,
                                               std::vector<ManifestPair> pairs) {
     std::erase_if(pairs, [&](const ManifestPair& pair) {
         return !selection.pair.empty() && pair.condition != selection.pair;
     });
-    return warnings_of(study, pairs);
+    std::vector<std::string> warnings = warnings_of(study, pairs);
+    Manifest selected = manifest;
+    std::erase_if(selected.images, [&](const ManifestImage& image) {
+        return !selection.pair.empty() && image.condition != selection.pair;
+    });
+    for (std::string& claim : disordered_claims(study, selected)) {
+        warnings.push_back(std::move(claim));
+    }
+    return warnings;
 }
 
 /// The lists of parts, which manifest.json replaces once it lists everything.
@@ -261,7 +270,10 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         const std::string bytes = encode_png(image);
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.sha256 = base::sha256_hex(bytes);
-        entry.mean_luminance = mean_luminance(image);
+        const Brightness brightness = brightness_of(image);
+        entry.mean_luminance = brightness.mean;
+        entry.contrast = brightness.contrast;
+        entry.accuracy = renderer.accuracy(stimulus, frame);
         base::write_file_atomically(folder / entry.file, bytes);
         made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
@@ -280,7 +292,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     manifest.pairs = known;
     manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
-    generated.warnings = warnings_of_selected(study, selection, manifest.pairs);
+    generated.warnings = warnings_of_selected(study, selection, manifest, manifest.pairs);
     const bool up_to_date = generated.made == 0 && known == manifest.pairs &&
                             problems_of_stimuli(study, folder).empty();
     if (!up_to_date && (generated.complete || selection.shards == 1)) {
@@ -333,7 +345,7 @@ Verified verify(const Study& study, const Selection& selection, const fs::path& 
         ++verified.checked;
         progress.step(title_of(stimulus));
     }
-    verified.warnings = warnings_of_selected(study, selection,
+    verified.warnings = warnings_of_selected(study, selection, manifest,
                                              pairs_with_reasons(study, manifest, folder, renderer));
     return verified;
 }

@@ -35,6 +35,9 @@ struct Hypothesis {
     std::vector<std::vector<std::string>> pairs;  ///< of an interaction: each is one test
     double margin = 0.15;  ///< of a share, 0.01 to 0.49: the smallest effect that matters
     HypothesisRole role = HypothesisRole::kPrimary;
+    /// Of a preference: it claims that the more accurate image is preferred, so that b has to be
+    /// the more accurate one in each of its conditions.
+    bool accuracy = false;
 };
 
 }  // namespace obscura::stimuli

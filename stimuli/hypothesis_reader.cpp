@@ -20,15 +20,10 @@ constexpr std::int64_t kMostParticipants = 1'000'000;
 constexpr double kSmallestMargin = 0.01;
 constexpr double kLargestMargin = 0.49;
 
-/// Whether people vote on it: no attention check, no repeat, no pair that is alike.
-bool is_votable(const Condition& condition) {
-    return condition.expected == '\0' && condition.repeats.empty() && !condition.identical;
-}
-
 std::vector<std::string> votable_ids(const Study& study) {
     std::vector<std::string> ids;
     for (const Condition& condition : study.conditions) {
-        if (is_votable(condition) && !condition.id.empty()) ids.push_back(condition.id);
+        if (condition.is_votable() && !condition.id.empty()) ids.push_back(condition.id);
     }
     return ids;
 }
@@ -144,6 +139,10 @@ Hypothesis read_hypothesis(TableReader& reader, const std::string& id, const Stu
                             .value_or(hypothesis.margin);
     const auto role = reader.choice("role", Need::kOptional, names_of(kHypothesisRoles));
     if (role == to_string(HypothesisRole::kSecondary)) hypothesis.role = HypothesisRole::kSecondary;
+    hypothesis.accuracy = reader.flag("accuracy", Need::kOptional).value_or(false);
+    if (hypothesis.accuracy && is_interaction) {
+        reader.add("accuracy", "is not allowed for kind interaction, which orders no images");
+    }
     const char* const other = is_interaction ? "conditions" : "pairs";
     if (!kind) {
         reader.allow("conditions");
@@ -189,7 +188,7 @@ void settle_hypotheses(Study& study, const std::vector<const toml::table*>& cond
     }
     for (std::size_t i = 0; i < study.conditions.size(); ++i) {
         Condition& condition = study.conditions[i];
-        if (!is_votable(condition)) continue;
+        if (!condition.is_votable()) continue;
         if (condition.hypothesis.empty()) {
             const auto takes = std::find_if(
                 study.hypotheses.begin(), study.hypotheses.end(), [&](const Hypothesis& own) {

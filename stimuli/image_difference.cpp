@@ -59,13 +59,19 @@ const Lab& lab() {
 
 }  // namespace
 
-double mean_luminance(const RgbImage& image) {
+Brightness brightness_of(const RgbImage& image) {
     if (image.rgb.empty()) throw base::bad_input("an image without pixels has no luminance");
     double sum = 0.0;
+    double squares = 0.0;
     for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-        sum += static_cast<double>(lab().luminance(&image.rgb[i]));
+        const auto luminance = static_cast<double>(lab().luminance(&image.rgb[i]));
+        sum += luminance;
+        squares += luminance * luminance;
     }
-    return sum / static_cast<double>(image.rgb.size() / 3);
+    const auto pixels = static_cast<double>(image.rgb.size() / 3);
+    const double mean = sum / pixels;
+    if (mean <= 0.0) return {};
+    return {mean, std::sqrt(std::max(0.0, squares / pixels - mean * mean)) / mean};
 }
 
 ImageDifference difference_of(const RgbImage& a, const RgbImage& b) {

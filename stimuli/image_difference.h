@@ -37,8 +37,15 @@ struct ImageDifference {
 /// Throws bad input for images of different sizes or without pixels.
 [[nodiscard]] ImageDifference difference_of(const RgbImage& a, const RgbImage& b);
 
-/// Of all pixels, as a share of display white, [0, 1]. Throws bad input for an image without
-/// pixels.
-[[nodiscard]] double mean_luminance(const RgbImage& image);
+/// How bright an image is, by the luminance of its pixels as a share of display white.
+struct Brightness {
+    double mean = 0.0;  ///< [0, 1]
+    /// Standard deviation over mean, which an exposure leaves as it is (Frazor & Geisler 2006,
+    /// "Local luminance and contrast in natural images", Vision Research 46); 0 for a black image.
+    double contrast = 0.0;
+};
+
+/// Throws bad input for an image without pixels.
+[[nodiscard]] Brightness brightness_of(const RgbImage& image);
 
 }  // namespace obscura::stimuli

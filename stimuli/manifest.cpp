@@ -37,6 +37,19 @@ Json to_json(const std::vector<ManifestImage::SceneFile>& files) {
     return json;
 }
 
+Json to_json(const std::optional<Accuracy>& accuracy) {
+    if (!accuracy) return nullptr;
+    return {{"rmse", accuracy->rmse},
+            {"bias", accuracy->bias},
+            {"truth_radius_m", accuracy->radius_m},
+            {"pixels", accuracy->pixels}};
+}
+
+std::optional<Accuracy> accuracy_from(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    return Accuracy{json.at("rmse"), json.at("bias"), json.at("truth_radius_m"), json.at("pixels")};
+}
+
 Json to_json(const ManifestImage& image) {
     Json json = {{"file", image.file},
                  {"sha256", image.sha256},
@@ -62,7 +75,10 @@ Json to_json(const ManifestImage& image) {
         return value ? Json(*value) : Json(nullptr);
     };
     json["mean_luminance"] = or_null(image.mean_luminance);
+    json["contrast"] = or_null(image.contrast);
+    json["exposure_factor"] = or_null(image.exposure_factor);
     json["mean_occlusion"] = or_null(image.mean_occlusion);
+    json["accuracy"] = to_json(image.accuracy);
     json["inputs_sha256"] = image.inputs_sha256;
     return json;
 }
@@ -95,7 +111,10 @@ ManifestImage image_from(const Json& json) {
         if (!found.is_null()) value = found.get<double>();
     };
     read("mean_luminance", image.mean_luminance);
+    read("contrast", image.contrast);
+    read("exposure_factor", image.exposure_factor);
     read("mean_occlusion", image.mean_occlusion);
+    image.accuracy = accuracy_from(json.value("accuracy", Json()));
     json.at("passes").get_to(image.passes);
     json.at("milliseconds").get_to(image.milliseconds);
     json.at("inputs_sha256").get_to(image.inputs_sha256);
@@ -107,15 +126,29 @@ ManifestImage image_from(const Json& json) {
     return image;
 }
 
-Json to_json(const ManifestPair& pair) {
-    return {{"condition", pair.condition},
-            {"a_sha256", pair.a_sha256},
-            {"b_sha256", pair.b_sha256},
-            {"differing_share", pair.difference.differing},
-            {"noticeable_share", pair.difference.over_threshold},
-            {"visible", pair.difference.visible},
-            {"largest_delta_e", pair.difference.largest_delta_e},
-            {"reason", pair.reason}};
+/// b's less a's; null where one of them is not known.
+Json change_of(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && b ? Json(*b - *a) : Json(nullptr);
+}
+
+/// With what follows from its two images, for who reads the file without this program.
+Json to_json(const ManifestPair& pair, const Manifest& manifest) {
+    Json json = {{"condition", pair.condition},
+                 {"a_sha256", pair.a_sha256},
+                 {"b_sha256", pair.b_sha256},
+                 {"differing_share", pair.difference.differing},
+                 {"noticeable_share", pair.difference.over_threshold},
+                 {"visible", pair.difference.visible},
+                 {"largest_delta_e", pair.difference.largest_delta_e},
+                 {"reason", pair.reason}};
+    const ManifestImage* const a = manifest.find(pair.condition, "a");
+    const ManifestImage* const b = manifest.find(pair.condition, "b");
+    if (a == nullptr || b == nullptr) return json;
+    json["mean_luminance_change"] = change_of(a->mean_luminance, b->mean_luminance);
+    json["contrast_change"] = change_of(a->contrast, b->contrast);
+    const char side = more_accurate(*a, *b);
+    json["more_accurate"] = side == '\0' ? Json(nullptr) : Json(std::string(1, side));
+    return json;
 }
 
 ManifestPair pair_from(const Json& json) {
@@ -196,6 +229,13 @@ const ManifestImage* Manifest::find(const std::string& condition, const std::str
     return found != images.end() ? &*found : nullptr;
 }
 
+char more_accurate(const ManifestImage& a, const ManifestImage& b) {
+    if (!a.accuracy || !b.accuracy) return '\0';
+    const auto [less, more] = std::minmax(a.accuracy->rmse, b.accuracy->rmse);
+    if (more - less < kLeastOrder * more || more == 0.0) return '\0';
+    return a.accuracy->rmse < b.accuracy->rmse ? 'a' : 'b';
+}
+
 bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
     const Condition* condition = study.find_condition(image.condition);
     if (condition == nullptr) return false;
@@ -205,6 +245,7 @@ bool shows_what_is_asked(const Study& study, const ManifestImage& image) {
            image.settings == to_json(scene.settings) && image.width == study.width &&
            image.height == study.height && image.supersampling == study.supersampling &&
            image.occluding_opacity == study.occluding_opacity &&
+           image.exposure_factor.has_value() == (study.match_luminance && image.side == "b") &&
            image.variant == (image.side == "a" ? condition->a : condition->b);
 }
 
@@ -245,7 +286,9 @@ void save_manifest(const std::filesystem::path& file, const Manifest& manifest) 
                  {"images", Json::array()},
                  {"pairs", Json::array()}};
     for (const ManifestImage& image : manifest.images) json["images"].push_back(to_json(image));
-    for (const ManifestPair& pair : manifest.pairs) json["pairs"].push_back(to_json(pair));
+    for (const ManifestPair& pair : manifest.pairs) {
+        json["pairs"].push_back(to_json(pair, manifest));
+    }
     base::write_file_atomically(file, json.dump(2) + "\n");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "stimuli/accuracy.h"
 #include "stimuli/image_difference.h"
 #include "stimuli/study.h"
 
@@ -50,9 +51,16 @@ struct ManifestImage {
     double milliseconds = 0.0;
     /// Of the image's pixels, as a share of display white (IEC 61966-2-1); nothing: not measured.
     std::optional<double> mean_luminance;
+    std::optional<double> contrast;  ///< as Brightness has it; nothing: not measured
+    /// Of an image that is made as bright as the other one of its pair: what its light was
+    /// multiplied by before the tone curve. Nothing: it was left as it is.
+    std::optional<double> exposure_factor;
     /// 1 less the mean accessibility, after its filter, over the whole image; nothing: not
     /// measured, or a technique that makes colour.
     std::optional<double> mean_occlusion;
+    /// Against the truth of its pair; nothing: not measured, no radius to ask for, or a technique
+    /// that makes colour.
+    std::optional<Accuracy> accuracy;
     std::string
         inputs_sha256;  ///< of all that the image depends on; the same inputs, the same image
 };
@@ -80,6 +88,10 @@ struct Manifest {
     [[nodiscard]] const ManifestImage* find(const std::string& condition,
                                             const std::string& side) const;
 };
+
+/// The side ('a' or 'b') whose error is smaller by kLeastOrder or more of the other's; 0: neither,
+/// or not measured.
+[[nodiscard]] char more_accurate(const ManifestImage& a, const ManifestImage& b);
 
 /// Reads manifest.json. Throws bad input naming the file and what is wrong in it.
 [[nodiscard]] Manifest load_manifest(const std::filesystem::path& file);

@@ -55,6 +55,18 @@ class PairsInTheMaking {
 [[nodiscard]] std::vector<std::string> warnings_of(const Study& study,
                                                    const std::vector<ManifestPair>& pairs);
 
+/// What a pair's images are, a sentence each: the share of pixels that differ noticeably, mean
+/// luminance and contrast of both, the error of both against the truth and which is the more
+/// accurate, of the pairs that the manifest lists both images of and
+/// that are not meant to be identical.
+[[nodiscard]] std::vector<std::string> facts_of(const Study& study, const Manifest& manifest,
+                                                const std::vector<ManifestPair>& pairs);
+
+/// A sentence for each condition of a hypothesis about accuracy whose image b is, as measured, not
+/// clearly the more accurate one (kLeastOrder).
+[[nodiscard]] std::vector<std::string> disordered_claims(const Study& study,
+                                                         const Manifest& manifest);
+
 /// Each side's channels `Z`, `ao.Y`, `albedo` and `light`, as StimulusRenderer::render_buffers
 /// gives them.
 struct PairBuffers {

@@ -39,14 +39,14 @@ inline constexpr int kLongestScale = 11;
 struct FormField {
     std::string id;
     FieldKind kind = FieldKind::kText;
-    std::string label;
+    std::string label = {};
     bool required = false;
-    std::string unit;                  ///< of a number; may be empty
-    std::optional<double> min;         ///< of a number or scale
-    std::optional<double> max;         ///< of a number or scale
-    std::vector<std::string> choices;  ///< of a choice or choices, in order
-    std::vector<std::string> labels;   ///< of the two ends of a scale; may be empty
-    bool generate = false;             ///< the kiosk offers to make a code
+    std::string unit = {};                  ///< of a number; may be empty
+    std::optional<double> min = {};         ///< of a number or scale
+    std::optional<double> max = {};         ///< of a number or scale
+    std::vector<std::string> choices = {};  ///< of a choice or choices, in order
+    std::vector<std::string> labels = {};   ///< of the two ends of a scale; may be empty
+    bool generate = false;                  ///< the kiosk offers to make a code
 };
 
 }  // namespace obscura::stimuli

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
 #include "renderer/frame/everything.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/embedded_shaders.h"
@@ -24,6 +27,12 @@ namespace obscura::stimuli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Two images whose mean luminances are that near to each other, as a share, are equally bright.
+constexpr double kSameLuminance = 0.001;
+constexpr int kExposureSteps = 5;
+constexpr double kLeastFactor = 1.0 / 64.0;
+constexpr double kMostFactor = 64.0;
 
 /// Program, driver and, where they are read from a folder, shaders.
 std::string hash_of_environment() {
@@ -121,7 +130,69 @@ renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
         stimulus.choice(), study_.width, study_.height, known);
 }
 
+renderer::Frame StimulusRenderer::render_exposed(const Stimulus& stimulus, double factor,
+                                                 const renderer::ViewBuffers& known) {
+    const View view = view_of(stimulus);
+    renderer::Lighting lighting = view.lighting;
+    renderer::ToneMapping tone =
+        lighting.tone_mapping.value_or(renderer::ToneMapping{.curve = renderer::ToneCurve::kClip});
+    tone.exposure = static_cast<float>(tone.exposure * factor);
+    lighting.tone_mapping = tone;
+    return renderer_.render(
+        {*loaded_.gpu, lighting, view.camera, study_.frame_options(), tracer(), rays_of_scene()},
+        stimulus.choice(), study_.width, study_.height, known);
+}
+
+std::optional<double> StimulusRenderer::exposure_factor(const Stimulus& stimulus) {
+    if (!study_.match_luminance || stimulus.side == 'a') return std::nullopt;
+    const auto [entry, fresh] = exposure_factors_.try_emplace(stimulus.condition->id, 1.0);
+    if (!fresh) return entry->second;
+    const auto options = study_.frame_options();
+    const renderer::Frame first = render({stimulus.condition, 'a'}, options);
+    const double wanted = brightness_of(image_of(first)).mean;
+    const renderer::ViewBuffers known = first.view_buffers();
+    double factor = 1.0;
+    double power = 1.0;  // by which luminance follows the factor; a tone curve makes it less
+    for (int step = 0; step < kExposureSteps && wanted > 0.0; ++step) {
+        const double met = brightness_of(image_of(render_exposed(stimulus, factor, known))).mean;
+        if (met <= 0.0 || std::abs(met / wanted - 1.0) < kSameLuminance) break;
+        const double next =
+            std::clamp(factor * std::pow(wanted / met, 1.0 / power), kLeastFactor, kMostFactor);
+        if (next == factor) break;
+        const double after = brightness_of(image_of(render_exposed(stimulus, next, known))).mean;
+        if (after > 0.0 && after != met) {
+            power = std::clamp(std::log(after / met) / std::log(next / factor), 0.2, 2.0);
+        }
+        factor = next;
+    }
+    return entry->second = factor;
+}
+
+std::optional<Accuracy> StimulusRenderer::accuracy(const Stimulus& stimulus,
+                                                   const renderer::Frame& frame) {
+    const std::optional<double> radius_m = truth_radius_m(*stimulus.condition);
+    if (!radius_m || frame.plan().makes_colour) return std::nullopt;
+    const View view = view_of(stimulus);
+    const StudyScene& scene = study_.scene_of(*stimulus.condition);
+    const auto [truth, fresh] = loaded_.truths.try_emplace(
+        {scene.camera + to_json(scene.settings), *radius_m}, std::nullopt);
+    if (fresh) {
+        try {
+            truth->second =
+                sparse_truth(rays(), view.camera, study_.width, study_.height, *radius_m);
+        } catch (const base::Error& none) {  // no triangle of it can be met by a ray
+            base::log::warn("warning: {}: its accuracy is not measured: {}", stimulus.file(),
+                            none.what());
+        }
+    }
+    if (!truth->second) return std::nullopt;
+    return accuracy_of(frame.read_accessibility(), *truth->second);
+}
+
 renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+    if (const std::optional<double> factor = exposure_factor(stimulus)) {
+        return render_exposed(stimulus, *factor, {});
+    }
     return render(stimulus, study_.frame_options());
 }
 
@@ -130,7 +201,9 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
         known_ = {};
         known_scene_ = stimulus.condition->scene;
     }
-    renderer::Frame frame = render(stimulus, study_.frame_options(), known_);
+    const std::optional<double> factor = exposure_factor(stimulus);
+    renderer::Frame frame = factor ? render_exposed(stimulus, *factor, known_)
+                                   : render(stimulus, study_.frame_options(), known_);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
@@ -174,8 +247,7 @@ std::string StimulusRenderer::reason_of_likeness(const Condition& condition) {
                                        view_of({&condition, 'a'}).camera, pair);
 }
 
-ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
-                                         const renderer::Frame& frame) const {
+ManifestImage StimulusRenderer::describe(const Stimulus& stimulus, const renderer::Frame& frame) {
     const StudyScene& scene = study_.scene_of(*stimulus.condition);
     ManifestImage image;
     image.file = stimulus.file();
@@ -200,6 +272,7 @@ ManifestImage StimulusRenderer::describe(const Stimulus& stimulus,
         image.passes.push_back(time.name);
     }
     image.milliseconds = frame.milliseconds();
+    image.exposure_factor = exposure_factor(stimulus);
     if (!frame.plan().makes_colour) {
         const std::vector<float> open = frame.read_accessibility();
         image.mean_occlusion =
@@ -224,6 +297,9 @@ std::string StimulusRenderer::inputs_sha256(const Stimulus& stimulus) const {
                    {"supersampling", study_.supersampling},
                    {"occluding_opacity", study_.occluding_opacity.value_or(0.0F)}};
     put_variant(inputs, stimulus.choice());
+    if (study_.match_luminance && stimulus.side == 'b') {
+        put_variant(inputs["as_bright_as"], stimulus.condition->a);
+    }
     return base::sha256_hex(inputs.dump());
 }
 

@@ -4,12 +4,15 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/exr.h"
 #include "renderer/reference/reference.h"
+#include "stimuli/accuracy.h"
 #include "stimuli/manifest.h"
 #include "stimuli/png.h"
 #include "stimuli/scenes/builtin_scene.h"
@@ -58,9 +61,13 @@ class StimulusRenderer {
     /// Why nobody could tell the condition's two images apart, as a clause (pairs.h).
     [[nodiscard]] std::string reason_of_likeness(const Condition& condition);
 
-    /// What the manifest says of a rendered image; file hashes are left empty.
-    [[nodiscard]] ManifestImage describe(const Stimulus& stimulus,
-                                         const renderer::Frame& frame) const;
+    /// What the manifest says of a rendered image but its accuracy; file hashes are left empty.
+    [[nodiscard]] ManifestImage describe(const Stimulus& stimulus, const renderer::Frame& frame);
+
+    /// A rendered image's accessibility against the truth of its pair, which is traced where no
+    /// image before had the same. Nothing where there is no truth to ask for.
+    [[nodiscard]] std::optional<Accuracy> accuracy(const Stimulus& stimulus,
+                                                   const renderer::Frame& frame);
 
     /// SHA-256 of everything the image follows from: this program, the driver, the scene's source
     /// with the bytes of its files, camera, validity and settings, technique and every parameter,
@@ -75,6 +82,8 @@ class StimulusRenderer {
         OpenedScene opened;
         std::unique_ptr<renderer::GpuScene> gpu;
         std::unique_ptr<renderer::ReferenceScene> reference;  ///< once an image needs it
+        /// Of its views so far, whatever their light, by camera with settings and the radius.
+        std::map<std::pair<std::string, double>, std::optional<SparseTruth>> truths;
     };
     /// The scene, ready to be drawn, its light and the view.
     struct View {
@@ -82,6 +91,10 @@ class StimulusRenderer {
         const renderer::Camera& camera;
     };
     View view_of(const Stimulus& stimulus);
+    /// The factor of the image's light, nothing where the study leaves it as it is.
+    std::optional<double> exposure_factor(const Stimulus& stimulus);
+    renderer::Frame render_exposed(const Stimulus& stimulus, double factor,
+                                   const renderer::ViewBuffers& known);
     /// The rays of the scene that is loaded, for the techniques that ask for them.
     const renderer::ReferenceScene& rays();
     renderer::RaysOfScene rays_of_scene() {
@@ -102,6 +115,7 @@ class StimulusRenderer {
     std::string known_scene_;  ///< id of the scene that known_ is of
     renderer::ViewBuffers known_;
     std::map<std::string, renderer::Lighting> lightings_;  ///< by the scene's id
+    std::map<std::string, double> exposure_factors_;       ///< by the condition's id
     mutable std::map<std::string, std::vector<renderer::ImportedFile>> files_;  ///< the same
     std::string environment_sha256_;  ///< of program, driver and shaders
 };

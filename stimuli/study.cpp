@@ -70,8 +70,19 @@ std::string Study::plan_json() const {
     return json.empty() ? "" : json.dump();
 }
 
+int Study::pair_count() const {
+    return static_cast<int>(
+        std::count_if(conditions.begin(), conditions.end(),
+                      [](const Condition& condition) { return !condition.practice; }));
+}
+
+bool Study::has_next_button() const {
+    const PairsPage usual = pair_count() > kMostListed ? PairsPage::kNext : PairsPage::kList;
+    return presentation.pairs_page.value_or(usual) == PairsPage::kNext;
+}
+
 SessionOrder Study::session_order(std::uint64_t slot) const {
-    return stimuli::session_order(order, static_cast<int>(conditions.size()), seed, slot, sides);
+    return stimuli::session_order(order, pair_count(), seed, slot, sides);
 }
 
 renderer::FrameOptions Study::frame_options() const {

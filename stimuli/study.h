@@ -16,6 +16,7 @@
 #include "stimuli/hypothesis.h"
 #include "stimuli/order/order.h"
 #include "stimuli/participant_form.h"
+#include "stimuli/presentation.h"
 #include "stimuli/scenes/scene_settings.h"
 #include "stimuli/scenes/validity.h"
 #include "stimuli/words.h"
@@ -32,10 +33,6 @@ struct StudyScene {
     std::vector<renderer::ImportedFile> files = {};  ///< that the source and its light consist of
     std::vector<std::string> notes = {};  ///< what of the source is not shown, or replaced
 };
-
-/// The keys with a name that may end the look at an image, beside the letters and digits.
-inline constexpr std::array kAdvanceKeys{"space", "enter", "left",    "right",
-                                         "up",    "down",  "page-up", "page-down"};
 
 /// What a camera is called that the study file describes itself.
 inline constexpr std::string_view kStudyCamera = "study";
@@ -60,6 +57,14 @@ struct Condition {
     /// Condition that is shown again: scene, hypothesis and both sides are that one's; empty: none.
     std::string repeats;
     bool identical = false;  ///< its images are meant to be alike, to see what people answer then
+    /// Shown before the pairs that count; with `expected` the participant is told whether the
+    /// answer was the expected one.
+    bool practice = false;
+
+    /// Whether people vote on it: no practice, attention check, repeat, nor pair that is alike.
+    [[nodiscard]] bool is_votable() const {
+        return !practice && expected == '\0' && repeats.empty() && !identical;
+    }
 };
 
 /// Whom a study leaves out, fixed before there are data. What is not given is not asked.
@@ -104,17 +109,14 @@ struct Study {
     int supersampling = 1;  ///< samples of surfaces and light along each side of a pixel
     /// Blended surfaces at least this opaque are seen by the techniques; nothing: none are.
     std::optional<float> occluding_opacity;
-    int grey_ms = 2000;
-    int grey_level = 128;
-    int input_delay_ms = 300;  ///< a page or image takes nothing that is pressed before that
-    /// Keys that end the look at an image: names of kAdvanceKeys, one letter or one digit.
-    std::vector<std::string> advance = {"space"};
-    bool pointer = false;  ///< a click or touch anywhere does too
+    /// The second image of each pair (b) is made as bright as the first by an exposure.
+    bool match_luminance = false;
+    Presentation presentation;
     OrderKind order = OrderKind::kLatinSquare;
     SideOrder sides = SideOrder::kSession;
     std::uint64_t seed = 0;
     std::vector<StudyScene> scenes;
-    std::vector<Condition> conditions;
+    std::vector<Condition> conditions;   ///< those of practice last
     std::vector<Hypothesis> hypotheses;  ///< the family; empty: the labels of the conditions are it
     ExclusionRule exclusion;
     StoppingRule stopping;
@@ -123,6 +125,10 @@ struct Study {
     std::filesystem::path folder;        ///< of the file; what its paths are relative to
 
     [[nodiscard]] const StudyScene& scene_of(const Condition& condition) const;
+    /// The pairs that a session is complete with: all but practice.
+    [[nodiscard]] int pair_count() const;
+    /// Whether one button leads to the next pair, instead of a list.
+    [[nodiscard]] bool has_next_button() const;
     /// How every image of the study is rendered, whoever asks for it.
     [[nodiscard]] renderer::FrameOptions frame_options() const;
     /// What the participant of that slot sees.

@@ -14,6 +14,7 @@
 #include "stimuli/attention_reader.h"
 #include "stimuli/hypothesis_reader.h"
 #include "stimuli/participant_reader.h"
+#include "stimuli/presentation_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_format.h"
@@ -25,8 +26,6 @@ using Need = TableReader::Need;
 using Problems = std::vector<StudyProblem>;
 
 constexpr std::int64_t kMostPixels = 16384;  // a side; what OpenGL 4.5 drivers allow at least
-constexpr std::int64_t kMostGreyMs = 60000;
-constexpr std::int64_t kMostInputDelayMs = 5000;
 constexpr std::size_t kLongestId = 64;
 
 /// A text that can be part of a file's name everywhere; empty where it is missing or wrong.
@@ -74,40 +73,6 @@ void read_resolution(TableReader& reader, Study& study) {
     study.height = pixels[1];
 }
 
-/// A key's name, or a lower-case letter or digit.
-bool is_advance_key(const std::string& name) {
-    const bool named =
-        std::find(kAdvanceKeys.begin(), kAdvanceKeys.end(), name) != kAdvanceKeys.end();
-    const bool one = name.size() == 1 &&
-                     ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= '0' && name[0] <= '9'));
-    return named || one;
-}
-
-void read_advance(TableReader& reader, Study& study) {
-    const std::string wanted = fmt::format("an array of {}, a letter a to z or a digit",
-                                           listed({kAdvanceKeys.begin(), kAdvanceKeys.end()}));
-    const toml::array* keys = reader.array("advance", Need::kOptional, wanted);
-    if (keys == nullptr) return;
-    study.advance.clear();
-    for (const toml::node& node : *keys) {
-        const std::string key = node.value<std::string>().value_or("");
-        if (is_advance_key(key)) {
-            study.advance.push_back(key);
-        } else if (node.is_string()) {
-            reader.add("advance",
-                       fmt::format("{} is no key, allowed is {}", in_quotes(key), wanted));
-        } else {
-            reader.add("advance",
-                       fmt::format("holds something else than a string, allowed is {}", wanted));
-        }
-    }
-    if (keys->empty() && !study.pointer) {
-        reader.add(
-            "advance",
-            "is empty and pointer is false: nobody could leave an image; allowed is " + wanted);
-    }
-}
-
 void read_study_table(const toml::table& table, const toml::table* texts, Study& study,
                       Problems& problems) {
     TableReader reader(table, "study", problems);
@@ -124,15 +89,9 @@ void read_study_table(const toml::table& table, const toml::table* texts, Study&
     if (const auto opacity = reader.number("occluding_opacity", Need::kOptional, 0.01, 1.0)) {
         study.occluding_opacity = static_cast<float>(*opacity);
     }
-    study.grey_ms = static_cast<int>(
-        reader.integer("grey_ms", Need::kOptional, 0, kMostGreyMs).value_or(study.grey_ms));
-    study.grey_level = static_cast<int>(
-        reader.integer("grey_level", Need::kOptional, 0, 255).value_or(study.grey_level));
-    study.input_delay_ms =
-        static_cast<int>(reader.integer("input_delay_ms", Need::kOptional, 0, kMostInputDelayMs)
-                             .value_or(study.input_delay_ms));
-    study.pointer = reader.flag("pointer", Need::kOptional).value_or(study.pointer);
-    read_advance(reader, study);
+    study.match_luminance =
+        reader.flag("match_luminance", Need::kOptional).value_or(study.match_luminance);
+    read_presentation(reader, study.presentation);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);
     const auto sides = reader.choice("sides", Need::kOptional, names_of(kSideOrders));
@@ -211,6 +170,7 @@ Condition read_condition(TableReader& reader, const std::string& where, KnownSce
     Condition condition;
     condition.id = read_id(reader, "id");
     condition.expected = read_expected(reader);
+    condition.practice = reader.boolean("practice", Need::kOptional).value_or(false);
     if (reader.has("repeats") || (reader.is_misspelt("repeats") && !reader.has("scene"))) {
         read_repeats(reader, condition);
         return condition;
@@ -223,6 +183,7 @@ Condition read_condition(TableReader& reader, const std::string& where, KnownSce
     reader.allow("repeats");
     condition.hypothesis = reader.text("hypothesis", Need::kOptional).value_or("");
     condition.identical = read_identical(reader, condition);
+    check_practice(reader, condition);
     const auto a = read_side(reader, "a", where, problems);
     const auto b = read_side(reader, "b", where, problems);
     if (a) condition.a = *a;
@@ -242,12 +203,16 @@ void check_condition_count(const Study& study, const std::vector<const toml::tab
                            Problems& problems) {
     if (conditions.empty()) {
         problems.push_back({0, "no [[condition]]: a study needs at least one pair to show"});
-    } else if (conditions.size() == 1 && study.order != OrderKind::kFixed) {
+    } else if (study.pair_count() == 0) {
+        problems.push_back({line_of(*conditions.front()),
+                            "every [[condition]] is practice: a study needs a pair that counts"});
+    } else if (study.pair_count() == 1 && study.order != OrderKind::kFixed) {
         problems.push_back(
             {line_of(*conditions.front()),
-             fmt::format("order \"{}\" needs at least two conditions, there is 1; a single pair "
+             fmt::format("order \"{}\" needs at least two conditions, there is 1{}; a single pair "
                          "can be shown with order = \"fixed\"",
-                         to_string(study.order))});
+                         to_string(study.order),
+                         conditions.size() == 1 ? "" : " beside practice")});
     } else if (conditions.size() > static_cast<std::size_t>(kMostConditions)) {
         problems.push_back({line_of(*conditions[kMostConditions]),
                             fmt::format("{} conditions, allowed are 1 to {}", conditions.size(),
@@ -261,6 +226,13 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     const toml::table* table = reader.table("study", Need::kRequired);
     const toml::table* texts = reader.table("texts", Need::kOptional);
     if (table != nullptr) read_study_table(*table, texts, study, problems);
+
+    const toml::table* information = reader.table("information", Need::kOptional);
+    if (information != nullptr) read_information(*information, study, problems);
+    const toml::table* consent = reader.table("consent", Need::kOptional);
+    if (consent != nullptr) read_consent(*consent, study, problems);
+    const toml::table* form = reader.table("form", Need::kOptional);
+    if (form != nullptr) read_form(*form, study, problems);
 
     std::set<std::string> seen;
     KnownScenes known;
@@ -298,6 +270,9 @@ void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
     if (exclusion != nullptr) read_exclusion(*exclusion, conditions, study, problems);
     const toml::table* stopping = reader.table("stopping", Need::kOptional);
     if (stopping != nullptr) read_stopping(*stopping, study, problems);
+    // The order is one of the others, whose indices it counts.
+    std::stable_partition(study.conditions.begin(), study.conditions.end(),
+                          [](const Condition& condition) { return !condition.practice; });
     reader.finish();
 }
 

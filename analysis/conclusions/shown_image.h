@@ -26,10 +26,15 @@ struct ShownImage {
     std::map<std::string, double> parameters;  ///< every one of the technique's
     std::string denoise;
     std::string depth_format = "r32f";
-    std::optional<double> mean_luminance = {};  ///< share of display white; nothing: not known
-    std::optional<double> mean_occlusion = {};  ///< over the whole image, [0, 1]
-    std::filesystem::path file;                 ///< empty: there is no image file
-    std::string sha256;                         ///< of the file when it was made
+    std::optional<double> mean_luminance = {};   ///< share of display white; nothing: not known
+    std::optional<double> mean_occlusion = {};   ///< over the whole image, [0, 1]
+    std::optional<double> contrast = {};         ///< standard deviation of luminance over its mean
+    std::optional<double> exposure_factor = {};  ///< of an image made as bright as its pair's other
+    std::optional<double> rmse = {};             ///< of its accessibility against the truth
+    /// Share of its pixels that differ noticeably from the other image of its pair.
+    std::optional<double> noticeable_share = {};
+    std::filesystem::path file;  ///< empty: there is no image file
+    std::string sha256;          ///< of the file when it was made
 };
 
 /// The one of the images that shows the condition's variant of that side ('A' or 'B'), or nullptr.

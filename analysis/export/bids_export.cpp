@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -64,8 +65,8 @@ std::vector<ExportColumn<Row>> bids_columns(const ExportSource& source,
     return columns;
 }
 
-std::vector<ExportColumn<ParticipantRecord>> participant_columns(const ExportSource& source) {
-    auto columns = bids_columns(source, participants_export());
+std::vector<ExportColumn<ParticipantRecord>> participant_columns(ExportSource& source) {
+    auto columns = bids_columns(source, participants_with_forms(source));
     for (auto& column : columns) {
         if (column.name == "participant_id") {
             column.description = "Participant, the name of the folder";

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "analysis/export/condition_counter.h"
+#include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
 
 namespace obscura::analysis {
@@ -61,7 +62,7 @@ class PsychDsExport {
     explicit PsychDsExport(const ExportJob& job) : job_(job) {}
 
     void run() {
-        write(participants_export(), [&](const auto& take) {
+        write(participants_with_forms(job_.source), [&](const auto& take) {
             job_.source.each_participant([&](const ParticipantRecord& participant) {
                 ++job_.exported.participants;
                 take(participant);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "analysis/export/condition_counter.h"
+#include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
 
 namespace obscura::analysis {
@@ -28,7 +29,7 @@ void export_tables(const ExportJob& job) {
         write_table(job, table.name, columns, layout, each);
         dictionary[table.name + std::string(ending_of(layout))] = described(columns);
     };
-    write(participants_export(), [&](const auto& take) {
+    write(participants_with_forms(source), [&](const auto& take) {
         source.each_participant([&](const ParticipantRecord& participant) {
             ++job.exported.participants;
             take(participant);

@@ -42,6 +42,12 @@ inline constexpr const char* kExclusion =
     "The study file's rule on whom to leave out, as JSON: smallest share of catch trials answered "
     "as expected, of repeated pairs answered alike, smallest median response time in seconds; "
     "empty: no rule";
+inline constexpr const char* kTiming =
+    "How the session's times came about, as a JSON object: source (GLX_OML_sync_control, the "
+    "display's own time of a swap, or glFinish after the swap), frame_ms (between two frames "
+    "handed "
+    "over one after the other, median), waits (swapping waits for the refresh) and self_test, the "
+    "last one on that monitor and GPU or null; empty: not measured";
 inline constexpr const char* kStudyPlan =
     "What the study file fixed before there were data, as JSON: the hypotheses with the conditions "
     "that they take; empty: nothing";

@@ -30,16 +30,10 @@ std::string showing_words(const ReportInput& input) {
     }
     text += "The two images of a pair show the same scene and differ in their ambient occlusion. ";
     if (study.question.empty()) return text + "One of the two had to be chosen.";
-    constexpr double kMillisecondsPerSecond = 1000.0;
-    text += "They were shown one after the other";
-    if (study.grey_ms > 0.0) {
-        text += fmt::format(", with a grey screen for {:g} s between them",
-                            study.grey_ms / kMillisecondsPerSecond);
-    }
     return text + fmt::format(
-                      ". The question was: \u201c{}\u201d One of the two images had to be chosen, "
-                      "without a reference.",
-                      study.question);
+                      "They were shown {}. The question was: \u201c{}\u201d One of the two images "
+                      "had to be chosen, without a reference.",
+                      study.shown, study.question);
 }
 
 std::string order_of_pairs(const std::string& order) {

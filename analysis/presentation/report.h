@@ -18,7 +18,9 @@ namespace obscura::analysis {
 struct StudyWords {
     std::string title;
     std::string question;
-    double grey_ms = 0.0;    ///< the interval between two images; 0: not known
+    /// How the two images of a pair are shown, as the end of a sentence: one after the other, with
+    /// a grey screen for 2 s between them.
+    std::string shown = "one after the other";
     std::string order = {};  ///< latin-square, williams, random, fixed; empty: not known
 };
 

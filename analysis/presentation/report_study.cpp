@@ -90,6 +90,46 @@ PageTable conditions_table(const ReportInput& input) {
     return table;
 }
 
+/// Brightness, contrast and error of each pair's images; no rows where nothing is known.
+PageTable image_facts_table(const ReportInput& input) {
+    PageTable table{{"Condition", "Pixels that differ (%)", "Luminance A", "Luminance B",
+                     "B against A (%)", "Contrast A", "Contrast B", "RMSE A", "RMSE B"},
+                    {}};
+    const auto number = [](const std::optional<double>& value, int decimals) {
+        return value ? fmt::format("{:.{}f}", *value, decimals) : std::string(kNoValue);
+    };
+    for (const ConditionResult* result : by_validity(input.analysis)) {
+        const ConditionVotes& condition = result->condition;
+        const ShownImage* a = shown_image(input.images, condition, 'A');
+        const ShownImage* b = shown_image(input.images, condition, 'B');
+        if (a == nullptr || b == nullptr || !a->mean_luminance || !b->mean_luminance) continue;
+        std::optional<double> change;
+        if (*a->mean_luminance > 0.0) {
+            change = 100.0 * (*b->mean_luminance / *a->mean_luminance - 1.0);
+        }
+        std::optional<double> share = b->noticeable_share;
+        if (share) *share *= 100.0;
+        table.rows.push_back({condition.id, number(share, 1), number(a->mean_luminance, 4),
+                              number(b->mean_luminance, 4),
+                              change ? fmt::format("{:+.1f}", *change) : kNoValue,
+                              number(a->contrast, 3), number(b->contrast, 3), number(a->rmse, 4),
+                              number(b->rmse, 4)});
+    }
+    return table;
+}
+
+/// The conditions whose second image was exposed to be as bright as the first, with the factor.
+std::string exposed_words(const ReportInput& input) {
+    std::vector<std::string> words;
+    for (const ShownImage& image : input.images) {
+        if (!image.exposure_factor) continue;
+        words.push_back(fmt::format("{} {:.4f}", image.condition, *image.exposure_factor));
+    }
+    if (words.empty()) return "";
+    return fmt::format(" Image B was made as bright as image A; its light was multiplied by: {}.",
+                       fmt::join(words, ", "));
+}
+
 }  // namespace
 
 void add_stimuli(ReportDraft& draft) {
@@ -97,12 +137,11 @@ void add_stimuli(ReportDraft& draft) {
     const bool is_published = is_published_votes(input.analysis.tally);
     draft.page.heading("What was compared");
     if (!input.study.question.empty()) {
-        draft.page.paragraph(
-            fmt::format("Each participant saw the two images of a pair one after the other, with a "
-                        "grey screen between them, and was asked: “{}” One of the two had to be "
-                        "chosen. The images of a pair differ in their ambient occlusion and in "
-                        "nothing else.",
-                        input.study.question));
+        draft.page.paragraph(fmt::format(
+            "Each participant saw the two images of a pair {}, and was asked: “{}” One of "
+            "the two had to be chosen. The images of a pair differ in their ambient "
+            "occlusion and in nothing else.",
+            input.study.shown, input.study.question));
     }
     draft.page.table(
         conditions_table(input),
@@ -110,6 +149,15 @@ void add_stimuli(ReportDraft& draft) {
         "ambient light only, moderate irradiance from an environment, high that and a "
         "sun with shadows. The number in a variant's name counts its samples; behind it stands "
         "what differs where two would have the same name (R: radius in m).");
+    if (PageTable differences = image_facts_table(input); !differences.rows.empty()) {
+        draft.page.table(
+            differences,
+            "What the two images of a pair differ in. Pixels that differ: by a just-noticeable 2.3 "
+            "in CIELAB or more. Luminance: mean, as a share of display white. Contrast: standard "
+            "deviation of luminance over its mean. RMSE: of accessibility, 0 to 1, against the "
+            "ray-traced truth, in every so many pixels of the image." +
+                exposed_words(input));
+    }
     if (std::all_of(input.images.begin(), input.images.end(),
                     [](const ShownImage& image) { return image.file.empty(); })) {
         draft.page.paragraph(fmt::format("The images are not shown: {}.", input.images_unknown));

@@ -68,6 +68,7 @@ StoreAddress postgresql_address(const std::string& url) {
     std::string host;
     std::string port;
     std::string database;
+    bool has_timeout = false;
     const ConnectionOptions options = parsed(url);
     for (const PQconninfoOption* option = options.get(); option->keyword != nullptr; ++option) {
         if (option->val == nullptr || *option->val == '\0') continue;
@@ -77,9 +78,12 @@ StoreAddress postgresql_address(const std::string& url) {
         if (keyword == "port") port = option->val;
         if (keyword == "dbname") database = option->val;
         if (keyword == "service") database = "?service=" + std::string(option->val);
+        if (keyword == "connect_timeout" || keyword == "tcp_user_timeout") has_timeout = true;
         if (keyword == "fallback_application_name") continue;
         address.connection += fmt::format("&{}={}", keyword, encoded(option->val));
     }
+    // A server that does not answer is away, and nobody sits waiting before a page.
+    if (!has_timeout) address.connection += "&connect_timeout=5&tcp_user_timeout=10000";
     address.shown = fmt::format("postgresql://{}{}{}{}/{}", user, user.empty() ? "" : "@", host,
                                 port.empty() ? "" : ":" + port, database);
     return address;

@@ -38,6 +38,14 @@ void check_subject_kind(const std::string& where, Kind kind) {
     }
 }
 
+void check_array(const std::string& where, const char* column, const std::string& text) {
+    check_text(where, column, text);
+    if (!text.empty() && !nlohmann::json::parse(text, nullptr, false).is_array()) {
+        throw base::bad_input("{}: {} is '{}', allowed is a JSON array or nothing", where, column,
+                              text);
+    }
+}
+
 void check_object(const std::string& where, const char* column, const std::string& text) {
     check_text(where, column, text);
     if (!text.empty() && !nlohmann::json::parse(text, nullptr, false).is_object()) {
@@ -91,6 +99,13 @@ void check(const ParticipantRecord& participant) {
         base::check_range(where, "age_years", *participant.age_years, 1, 120);
     check_text(where, "gender", participant.gender);
     check_utc(where, "created_utc", participant.created_utc);
+    check_text(where, "code", participant.code);
+    check_text(where, "consent_version", participant.consent_version);
+    check_array(where, "consent_items", participant.consent_items);
+    if (!participant.consent_utc.empty()) {
+        check_utc(where, "consent_utc", participant.consent_utc);
+    }
+    check_array(where, "form", participant.form);
 }
 
 void check(const SessionRecord& session) {
@@ -118,6 +133,7 @@ void check(const SessionRecord& session) {
     base::check_range(where, "refresh_hz", session.refresh_hz, 0.0, kMaxRefreshHz);
     check_object(where, "exclusion", session.exclusion);
     check_object(where, "study_plan", session.study_plan);
+    check_object(where, "timing", session.timing);
 }
 
 void check(const TrialRecord& trial) {
@@ -159,6 +175,7 @@ void check(const TrialRecord& trial) {
     check_text(where, "first_sha256", trial.first_sha256);
     check_text(where, "second_sha256", trial.second_sha256);
     check_utc(where, "answered_utc", trial.answered_utc);
+    check_text(where, "override_reason", trial.override_reason);
     check_attention(where, trial);
 }
 

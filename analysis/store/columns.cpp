@@ -144,7 +144,11 @@ const RecordTable<ParticipantRecord>& participants_table() {
         {column<&R::participant_id>("participant_id"), column<&R::kind>("kind"),
          column<&R::age_years>("age_years"), column<&R::gender>("gender"),
          column<&R::normal_vision>("normal_vision"), column<&R::naive>("naive"),
-         column<&R::consent>("consent"), column<&R::created_utc>("created_utc")}};
+         column<&R::consent>("consent"), column<&R::created_utc>("created_utc"),
+         column<&R::code, TextOrNull>("code"),
+         column<&R::consent_version, TextOrNull>("consent_version"),
+         column<&R::consent_items, TextOrNull>("consent_items"),
+         column<&R::consent_utc, TextOrNull>("consent_utc"), column<&R::form, TextOrNull>("form")}};
     return table;
 }
 
@@ -172,7 +176,9 @@ const RecordTable<SessionRecord>& sessions_table() {
                                        column<&R::display>("display"),
                                        column<&R::refresh_hz>("refresh_hz"),
                                        column<&R::exclusion, TextOrNull>("exclusion"),
-                                       column<&R::study_plan, TextOrNull>("study_plan")}};
+                                       column<&R::study_plan, TextOrNull>("study_plan"),
+                                       column<&R::timing, TextOrNull>("timing"),
+                                       column<&R::slot_copy>("slot_copy")}};
     return table;
 }
 
@@ -204,7 +210,8 @@ const RecordTable<TrialRecord>& trials_table() {
                                        column<&R::second_sha256>("second_sha256"),
                                        column<&R::answered_utc>("answered_utc"),
                                        column<&R::expected, LetterOrNull>("expected"),
-                                       column<&R::repeats, TextOrNull>("repeats")}};
+                                       column<&R::repeats, TextOrNull>("repeats"),
+                                       column<&R::override_reason, TextOrNull>("override_reason")}};
     return table;
 }
 

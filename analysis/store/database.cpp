@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/store/database.h"
 
+#include <fcntl.h>
 #include <soci/postgresql/soci-postgresql.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,6 +63,14 @@ void require_sqlite_header(const fs::path& file) {
         throw base::bad_input("cannot open the store {}: the file is no SQLite database",
                               file.string());
     }
+}
+
+/// What people answered is read by nobody else on the machine.
+void make_private(const fs::path& file) {
+    constexpr mode_t kOwnerOnly = 0600;
+    const int descriptor =
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
+    if (descriptor >= 0) ::close(descriptor);  // else SQLite says what is wrong
 }
 
 void require_writable_file(const fs::path& file, bool exists) {
@@ -134,6 +144,8 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
     }
     if (exists) require_sqlite_header(path);
     if (!read_only) require_writable_file(path, exists);
+
+    if (!exists && !read_only) make_private(path);
 
     const std::string uri =
         "file:" + percent_encoded(path.string()) + (read_only ? read_only_mode(path) : "");
@@ -256,6 +268,13 @@ void Database::copy_sqlite_to(soci::session& copy) {
         throw soci::sqlite3_soci_error(sqlite_api::sqlite3_errmsg(to),
                                        sqlite_api::sqlite3_errcode(to));
     }
+}
+
+void Database::copy_to(const std::string& file) {
+    assert(system_ == System::kSqlite);
+    soci::session copy(soci::sqlite3,
+                       fmt::format("db=file:{} synchronous=full", percent_encoded(file)));
+    copy_sqlite_to(copy);
 }
 
 base::Error Database::damaged(std::string_view doing, std::string_view reason) const {

@@ -42,6 +42,8 @@ class Database {
     /// SQLite: throws bad input when a page of the database is damaged. Reads all of it: 5 s for a
     /// million answers.
     void require_whole();
+    /// SQLite: writes all that it holds at this moment to a new file, also while others read.
+    void copy_to(const std::string& file);
     /// SQLite: throws failure when the file was moved, deleted or replaced since it was opened.
     void require_in_place();
 

@@ -65,6 +65,9 @@ inline constexpr std::array kSessionStates{SessionState::kOpen, SessionState::kC
     return std::nullopt;
 }
 
+/// Under which a session keeps the hash over all images of its study.
+inline constexpr const char* kStimuliDigestEvent = "stimuli digest";
+
 /// Who took part, as the form asks it.
 struct ParticipantRecord {
     std::string participant_id;         ///< unique, made by the program
@@ -74,7 +77,14 @@ struct ParticipantRecord {
     std::optional<bool> normal_vision;  ///< normal or corrected to normal
     std::optional<bool> naive;          ///< does not know what the study is about
     bool consent = false;
-    std::string created_utc;  ///< ISO 8601 with Z
+    std::string created_utc;           ///< ISO 8601 with Z
+    std::string code = {};             ///< that stands for the participant; empty: none
+    std::string consent_version = {};  ///< of the text agreed to; empty: the kiosk's own sentence
+    std::string consent_items = {};    ///< that were agreed to, a JSON array; empty: the same
+    std::string consent_utc = {};      ///< when; empty: with the form
+    /// The study's own questions and the answers: a JSON array of objects with field, kind, label,
+    /// unit and value (null: no answer); empty: it has none.
+    std::string form = {};
 
     bool operator==(const ParticipantRecord&) const = default;
 };
@@ -107,6 +117,12 @@ struct SessionRecord {
     /// What else the study fixed before it had data, its hypotheses: a JSON object as
     /// stimuli::Study::plan_json() writes it; empty: nothing.
     std::string study_plan;
+    /// How its times came about: a JSON object with source, frame_ms, waits and self_test; empty:
+    /// the session is simulated, or from before this was kept.
+    std::string timing = {};
+    /// 0: begun in this store; else the session was merged into it, and so many others hold its
+    /// slot too.
+    int slot_copy = 0;
 
     bool operator==(const SessionRecord&) const = default;
 };
@@ -141,6 +157,8 @@ struct TrialRecord {
     std::string answered_utc;
     char expected =
         '\0';  ///< 'A' or 'B': what an attentive observer picks, of a catch trial; else 0
+    /// Why the operator went on where the start refused; empty: it did not refuse.
+    std::string override_reason = {};
     std::string repeats;  ///< condition whose answer this one repeats, no vote then; empty: none
 
     bool operator==(const TrialRecord&) const = default;

@@ -128,6 +128,32 @@ std::vector<std::string> study_plans() {
     return {"ALTER TABLE sessions ADD COLUMN study_plan TEXT CHECK (study_plan <> '')"};
 }
 
+/// What a participant agreed to and when, the study's own questions with their answers, and
+/// sessions that were merged from stores that counted their slots for themselves.
+std::vector<std::string> forms_and_merged_sessions() {
+    return {
+        "ALTER TABLE participants ADD COLUMN code TEXT CHECK (code <> '')",
+        "ALTER TABLE participants ADD COLUMN consent_version TEXT CHECK (consent_version <> '')",
+        "ALTER TABLE participants ADD COLUMN consent_items TEXT CHECK (consent_items <> '')",
+        "ALTER TABLE participants ADD COLUMN consent_utc TEXT "
+        "CHECK (consent_utc LIKE '____-__-__T__:__:__%Z')",
+        "ALTER TABLE participants ADD COLUMN form TEXT CHECK (form <> '')",
+        "ALTER TABLE sessions ADD COLUMN slot_copy {integer} NOT NULL DEFAULT 0 "
+        "CHECK (slot_copy >= 0)",
+        "DROP INDEX sessions_one_per_slot",
+        "CREATE UNIQUE INDEX sessions_one_per_slot ON sessions "
+        "(study, seed, kind, slot, slot_copy) WHERE state <> 'abandoned'",
+    };
+}
+
+/// How a session's times came about, and why it was begun where the start refused.
+std::vector<std::string> timing_and_overrides() {
+    return {
+        "ALTER TABLE sessions ADD COLUMN timing TEXT CHECK (timing <> '')",
+        "ALTER TABLE trials ADD COLUMN override_reason TEXT CHECK (override_reason <> '')",
+    };
+}
+
 /// The statement in the system's own words.
 std::string spelled_for(Database::System system, std::string statement) {
     const bool sqlite = system == Database::System::kSqlite;
@@ -177,7 +203,8 @@ base::Error newer(const Database& database, int met, int known) {
 
 const std::vector<Migration>& migrations() {
     static const std::vector<Migration> steps{
-        {1, first_schema()}, {2, checks_of_attention()}, {3, hidden_stimuli()}, {4, study_plans()}};
+        {1, first_schema()}, {2, checks_of_attention()},       {3, hidden_stimuli()},
+        {4, study_plans()},  {5, forms_and_merged_sessions()}, {6, timing_and_overrides()}};
     return steps;
 }
 

@@ -8,9 +8,11 @@
 #include <string_view>
 #include <thread>
 
+#include "analysis/store/backup.h"
 #include "analysis/store/checks.h"
 #include "analysis/store/columns.h"
 #include "analysis/store/database.h"
+#include "analysis/store/merge.h"
 #include "analysis/store/rows.h"
 #include "analysis/store/schema.h"
 
@@ -293,6 +295,52 @@ std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uin
                                               Kind kind) {
     return impl_->database.guarded("read",
                                    [&] { return slots_taken(impl_->database, study, seed, kind); });
+}
+
+std::vector<std::string> Store::codes_of(const std::string& study) {
+    return impl_->database.guarded("read", [&] {
+        const std::string kind(to_string(Kind::kParticipant));
+        const soci::rowset<std::string> rows =
+            (impl_->database.session().prepare
+                 << "SELECT DISTINCT p.code FROM participants p, sessions s WHERE s.participant_id "
+                    "= p.participant_id AND p.code IS NOT NULL AND s.study = :study AND s.kind = "
+                    ":kind",
+             soci::use(study), soci::use(kind));
+        return std::vector<std::string>(rows.begin(), rows.end());
+    });
+}
+
+MergedRows Store::take_in(Store& other) {
+    StoreRows rows;
+    other.of_one_moment([&] {
+        rows = {other.impl_->database.name(), other.participants(), other.sessions(),
+                other.trials(), other.events()};
+    });
+    MergedRows merged;
+    impl_->change("merge into", [&] { merged = merge(impl_->database, rows); });
+    return merged;
+}
+
+std::optional<std::filesystem::path> Store::back_up(const std::filesystem::path& folder,
+                                                    const std::string& utc, std::size_t keep) {
+    Database& database = impl_->database;
+    if (database.system() != Database::System::kSqlite) return std::nullopt;
+    return database.guarded("back up",
+                            [&] { return analysis::back_up(database, folder, utc, keep); });
+}
+
+std::string Store::latest_utc() {
+    return impl_->database.guarded(
+        "read", [&] {
+            std::string latest;
+            soci::indicator indicator = soci::i_null;
+            impl_->database.session()
+                << "SELECT MAX(latest) FROM (SELECT MAX(time_utc) AS latest FROM events UNION ALL "
+                   "SELECT MAX(started_utc) FROM sessions UNION ALL SELECT MAX(answered_utc) FROM "
+                   "trials) AS times",
+                soci::into(latest, indicator);
+            return indicator == soci::i_ok ? latest : std::string();
+        });
 }
 
 std::vector<ParticipantRecord> Store::participants() {

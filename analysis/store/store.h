@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/store/merged_rows.h"
 #include "analysis/store/records.h"
 
 namespace obscura::analysis {
@@ -70,6 +72,23 @@ class Store {
     /// Slots of the order that completed and open sessions of that study, seed and kind hold.
     [[nodiscard]] std::vector<std::uint64_t> taken_slots(const std::string& study,
                                                          std::uint64_t seed, Kind kind);
+
+    /// Codes of the participants of that study, of people only.
+    [[nodiscard]] std::vector<std::string> codes_of(const std::string& study);
+
+    /// Adds the rows of another store that this one has not yet, in one transaction: a second time
+    /// adds nothing. See merge(), also for what it refuses.
+    MergedRows take_in(Store& other);
+
+    /// Writes a copy of an SQLite store to FOLDER/NAME-TIME.sqlite, on the disk and read back whole
+    /// when this returns, and deletes the oldest of more than `keep` such copies. `utc` is a time
+    /// as records carry it. Gives the file; nothing for a store on a server, whose owner backs it
+    /// up. Throws failure, and leaves the older copies, where that cannot be.
+    std::optional<std::filesystem::path> back_up(const std::filesystem::path& folder,
+                                                 const std::string& utc, std::size_t keep);
+
+    /// The latest time in any row; empty: there is none.
+    [[nodiscard]] std::string latest_utc();
 
     /// Throws failure when the SQLite file was moved, deleted or replaced since it was opened;
     /// every change asks this too.

@@ -19,13 +19,30 @@
 namespace obscura::app {
 namespace {
 
+/// The study's images, where they are there; nothing is rendered or traced.
+struct Images {
+    stimuli::Manifest manifest;
+    std::vector<stimuli::ManifestPair> pairs;
+};
+
+Images images_of(const stimuli::Study& study, const std::filesystem::path& folder) {
+    try {
+        Images images{stimuli::load_manifest(folder / "manifest.json"), {}};
+        images.pairs = stimuli::compared_pairs(study, images.manifest, folder);
+        return images;
+    } catch (const base::Error&) {
+        return {};  // run and render say what is wrong with it
+    }
+}
+
 /// What may not be as the author expects, of the study and of its images where they are there.
-std::vector<std::string> warnings_of(const stimuli::Study& study, const Globals& globals) {
+std::vector<std::string> warnings_of(const stimuli::Study& study, const Images& images) {
     std::vector<std::string> warnings = stimuli::warnings_of(study);
-    const std::filesystem::path folder = stimuli::stimuli_folder(globals.data, study);
-    for (std::string& warning :
-         stimuli::warnings_of(study, stimuli::compared_pairs(study, folder))) {
+    for (std::string& warning : stimuli::warnings_of(study, images.pairs)) {
         warnings.push_back(std::move(warning));
+    }
+    for (std::string& claim : stimuli::disordered_claims(study, images.manifest)) {
+        warnings.push_back(std::move(claim));
     }
     const analysis::Tally planned = planned_tally(study);
     for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
@@ -52,11 +69,13 @@ base::ExitCode check(const std::string& file_or_name, const Globals& globals) {
         fmt::print("{}\n", stimuli::to_lines(problems, source.name));
         return base::ExitCode::kBadInput;
     }
-    const std::vector<std::string> warnings = warnings_of(study, globals);
+    const Images images = images_of(study, stimuli::stimuli_folder(globals.data, study));
+    const std::vector<std::string> warnings = warnings_of(study, images);
     for (const std::string& warning : warnings) {
         fmt::print("{}: warning: {}\n", source.name, warning);
     }
-    for (const auto& notes : {stimuli::notes_on(study), kiosk::notes_on_pages(study)}) {
+    for (const auto& notes : {stimuli::notes_on(study), kiosk::notes_on_pages(study),
+                              stimuli::facts_of(study, images.manifest, images.pairs)}) {
         for (const std::string& note : notes) fmt::print("{}: note: {}\n", source.name, note);
     }
     if (const std::string note = kiosk::note_on_words(study); !note.empty()) {

@@ -18,6 +18,7 @@ Command explore_command();
 Command export_command();
 Command measure_command();
 Command new_command();
+Command merge_command();
 Command plan_command();
 Command power_command();
 Command rehearse_command();

@@ -117,7 +117,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
                  "Instead: numerical stability on hard cases, and every technique against its own "
                  "definition (exit code 3 where one fails without a reason)");
     app.add("--experiment", request.experiment,
-            "Instead: a paper's experiment, and what its outcome says of the paper's conclusion");
+            "Instead: a paper's experiment, and what its outcome says of the paper's conclusion; "
+            "front: all techniques in one table and chart");
     app.add_flag("--experiments", options->lists_experiments, "Lists the papers' experiments");
     app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)");
     return [options, &globals] { return run(*options, globals); };

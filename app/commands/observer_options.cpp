@@ -19,7 +19,8 @@ constexpr double kLargestSd = 10.0;
 std::vector<std::string> votable(const stimuli::Study& study) {
     std::vector<std::string> ids;
     for (const stimuli::Condition& condition : study.conditions) {
-        if (condition.expected == '\0' && condition.repeats.empty()) ids.push_back(condition.id);
+        if (!condition.practice && condition.expected == '\0' && condition.repeats.empty())
+            ids.push_back(condition.id);
     }
     return ids;
 }

@@ -24,6 +24,7 @@ Option Option::between(std::int64_t least, std::int64_t most) const {
 Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
 Option Option::comma_separated() const { return Option(*option_->delimiter(',')); }
 Option Option::repeatable() const { return Option(*option_->allow_extra_args(false)); }
+Option Option::value_optional() const { return Option(*option_->expected(0, 1)); }
 Option Option::needs(const Option& other) const { return Option(*option_->needs(other.option_)); }
 Option Option::excludes(const std::vector<Option>& others) const {
     for (const Option& other : others) option_->excludes(other.option_);

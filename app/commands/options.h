@@ -33,6 +33,8 @@ class Option {
     Option comma_separated() const;
     /// May be given several times, one value each time.
     Option repeatable() const;
+    /// Of a string: it may stand without a value, and is then empty.
+    Option value_optional() const;
     Option needs(const Option& other) const;
     Option excludes(const std::vector<Option>& others) const;
 

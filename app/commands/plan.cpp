@@ -34,7 +34,9 @@ struct PlanOptions {
 
 std::vector<std::string> ids_of(const Study& study) {
     std::vector<std::string> ids;
-    for (const stimuli::Condition& condition : study.conditions) ids.push_back(condition.id);
+    for (const stimuli::Condition& condition : study.conditions) {
+        if (!condition.practice) ids.push_back(condition.id);
+    }
     return ids;
 }
 
@@ -132,8 +134,7 @@ void print_verdicts(const Study& study, const Balance& balance) {
 }
 
 void print_block(const Study& study, std::uint64_t participants) {
-    const std::uint64_t block =
-        stimuli::block_size(study.order, static_cast<int>(study.conditions.size()));
+    const std::uint64_t block = stimuli::block_size(study.order, study.pair_count());
     const std::uint64_t whole = participants / block * block;
     if (participants == whole) {
         fmt::print("\n{} participants are {} whole block{} of {}.\n", participants,
@@ -278,7 +279,7 @@ base::ExitCode plan(const PlanOptions& options, const Globals& globals) {
             study, {options.preregister, globals.data, options.participants, globals.quiet});
         fmt::print(stderr, "registered {}\n", document.string());
     }
-    const int n = static_cast<int>(study.conditions.size());
+    const int n = study.pair_count();
     const auto sessions = stimuli::session_orders(
         study.order, n, study.seed, static_cast<std::uint64_t>(options.participants), study.sides);
     const Balance balance = stimuli::balance_of(sessions, n);

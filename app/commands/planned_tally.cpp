@@ -31,7 +31,8 @@ analysis::Tally planned_tally(const stimuli::Study& study) {
     tally.study = study.name;
     const stimuli::VariantNames names = stimuli::variant_names(study);
     for (const stimuli::Condition& condition : study.conditions) {
-        if (condition.expected != '\0' || !condition.repeats.empty()) continue;
+        if (condition.practice || condition.expected != '\0' || !condition.repeats.empty())
+            continue;
         analysis::ConditionVotes& votes = tally.conditions.emplace_back();
         votes.id = condition.id;
         votes.hypothesis = condition.hypothesis;

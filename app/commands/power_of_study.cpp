@@ -68,9 +68,8 @@ class StudySimulator {
   private:
     void order_up_to(int participants) {
         if (orders_.size() >= static_cast<std::size_t>(participants)) return;
-        orders_ = stimuli::session_orders(study_.order, static_cast<int>(study_.conditions.size()),
-                                          study_.seed, static_cast<std::uint64_t>(participants),
-                                          study_.sides);
+        orders_ = stimuli::session_orders(study_.order, study_.pair_count(), study_.seed,
+                                          static_cast<std::uint64_t>(participants), study_.sides);
     }
 
     Tally answers(const Scenario& scenario, int participants, base::Random& random) const {
@@ -230,8 +229,7 @@ double Frequency::error() const { return std::sqrt(share() * (1.0 - share()) / s
 
 std::vector<VerdictPower> power_of_study(const stimuli::Study& study, const PowerRequest& request) {
     StudySimulator simulator(study, request.seed);
-    const int block = static_cast<int>(
-        stimuli::block_size(study.order, static_cast<int>(study.conditions.size())));
+    const int block = static_cast<int>(stimuli::block_size(study.order, study.pair_count()));
     std::vector<Scenario> scenarios;
     const analysis::Family family = analysis::family_of(simulator.planned());
     for (const auto& hypothesis : family.hypotheses) {

@@ -37,6 +37,9 @@ ShownImage shown(const stimuli::ManifestImage& image, const stimuli::VariantName
     put_variant(result, image.variant, names.at({image.condition, image.side == "a" ? 'a' : 'b'}));
     result.mean_luminance = image.mean_luminance;
     result.mean_occlusion = image.mean_occlusion;
+    result.contrast = image.contrast;
+    result.exposure_factor = image.exposure_factor;
+    if (image.accuracy) result.rmse = image.accuracy->rmse;
     result.file = folder / image.file;
     result.sha256 = image.sha256;
     return result;
@@ -68,7 +71,14 @@ void add_images(analysis::ReportInput& input, const ReportSources& sources,
     if (fs::exists(manifest)) {
         const stimuli::Manifest made = stimuli::load_manifest(manifest);
         const stimuli::VariantNames names = stimuli::variant_names(made);
-        for (const auto& image : made.images) input.images.push_back(shown(image, names, folder));
+        for (const auto& image : made.images) {
+            ShownImage entry = shown(image, names, folder);
+            for (const stimuli::ManifestPair& pair : made.pairs) {
+                if (pair.condition != image.condition) continue;
+                entry.noticeable_share = pair.difference.over_threshold;
+            }
+            input.images.push_back(std::move(entry));
+        }
         return;
     }
     input.images_unknown =
@@ -87,7 +97,7 @@ void add_sources(analysis::ReportInput& input, const ReportSources& sources) {
     std::string name = input.analysis.tally.study;
     if (sources.study) {
         const stimuli::Study& study = *sources.study;
-        input.study = {study.title, study.question, static_cast<double>(study.grey_ms),
+        input.study = {study.title, study.question, to_words(study.presentation),
                        std::string(to_string(study.order))};
         name = sources.study->name;
     }

@@ -4,23 +4,35 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string_view>
 
+#include "analysis/plot/gnuplot.h"
 #include "app/kiosk/kiosk.h"
+#include "app/kiosk/pin.h"
+#include "app/kiosk/self_test.h"
 #include "app/kiosk/text_check.h"
+#include "renderer/base/files.h"
+#include "renderer/base/log.h"
 #include "stimuli/manifest.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
 namespace {
 
+constexpr const char* kNotAsked = "not asked";
+
 struct RunOptions {
     std::string study = "jakobsen2010";
     std::string store_url;
     int monitor = 0;
     bool windowed = false;
+    std::string override_reason;
+    bool set_pin = false;
+    std::string self_test = kNotAsked;  ///< alternations; empty: the usual number
 };
 
 /// A store in a folder that is not there is most often a mistyped path: answers must not go astray.
@@ -32,6 +44,71 @@ void refuse_missing_folder(const std::string& url) {
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
         throw base::bad_input("--db: {}: there is no folder {}", url, folder.string());
     }
+}
+
+constexpr int kUsualAlternations = 200;
+constexpr int kMostAlternations = 100'000;
+
+int alternations_in(const std::string& text) {
+    if (text.empty()) return kUsualAlternations;
+    int count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size() || count < 1 ||
+        count > kMostAlternations) {
+        throw base::bad_input("--selftest {}: allowed is a number of alternations, 1 to {}", text,
+                              kMostAlternations);
+    }
+    return count;
+}
+
+analysis::Plot plot_of(const kiosk::SelfTestRun& run) {
+    analysis::Plot plot;
+    plot.name = "selftest";
+    plot.title = "Error of an interval between two images, and key to swap";
+    plot.script =
+        "set xlabel 'repetition'\nset ylabel 'ms'\nset key top right\n"
+        "plot 'error_ms.tsv' using 1:2 with points lt 1 title 'interval: measured - asked', "
+        "'key_to_swap_ms.tsv' using 1:2 with points lt 2 title 'key to swap'\n";
+    const auto table = [](const std::vector<double>& values) {
+        std::string text;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            text += fmt::format("{}\t{}\n", i + 1, values[i]);
+        }
+        return text;
+    };
+    plot.data = {{"error_ms.tsv", table(run.error_ms)},
+                 {"key_to_swap_ms.tsv", table(run.key_to_swap_ms)}};
+    return plot;
+}
+
+/// Says what was measured and keeps it for the sessions to come.
+base::ExitCode self_test(const stimuli::Study& study, const kiosk::KioskOptions& options,
+                         int alternations, bool quiet) {
+    if (!quiet) {
+        fmt::print(stderr, "{} alternations, about {} s: leave the machine alone\n", alternations,
+                   alternations * 3 / 10 + 5);
+    }
+    const kiosk::SelfTestRun run = kiosk::run_self_test(study, options, alternations);
+    const std::filesystem::path file = kiosk::self_test_file(options.data);
+    std::filesystem::create_directories(file.parent_path());
+    const analysis::DrawnPlot drawn = analysis::draw(plot_of(run), file.parent_path());
+    if (!drawn.note.empty()) base::log::warn("{}", drawn.note);
+    base::write_file_atomically(file, kiosk::to_json(run.test));
+    fmt::print("{}", kiosk::to_text(run.test));
+    fmt::print(stderr, "kept in {}, with each repetition and a plot beside it\n", file.string());
+    return run.test.holds() ? base::ExitCode::kDone : base::ExitCode::kCheckFailed;
+}
+
+/// From the terminal or a pipe; it stands in no command line.
+base::ExitCode set_pin(const std::filesystem::path& data) {
+    fmt::print(stderr, "PIN for the operator's page, {} to {} digits; nothing takes it away: ",
+               kiosk::kShortestPin, kiosk::kLongestPin);
+    std::string pin;
+    std::getline(std::cin, pin);
+    std::filesystem::create_directories(data);
+    kiosk::set_pin(kiosk::pin_file(data), pin);
+    fmt::print(stderr, "{}\n", pin.empty() ? "the operator's page needs no PIN" : "kept, hashed");
+    return base::ExitCode::kDone;
 }
 
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
@@ -46,8 +123,15 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
     kiosk_options.remedy =
         fmt::format("obscura render {} --data {}", options.study, globals.data.string());
+    kiosk_options.backups = globals.data / "backups";
     kiosk_options.monitor = options.monitor;
     kiosk_options.windowed = options.windowed;
+    kiosk_options.override_reason = options.override_reason;
+    kiosk_options.data = globals.data;
+    if (options.set_pin) return set_pin(globals.data);
+    if (options.self_test != kNotAsked) {
+        return self_test(study, kiosk_options, alternations_in(options.self_test), globals.quiet);
+    }
     kiosk::run_kiosk(study, kiosk_options);
     return base::ExitCode::kDone;
 }
@@ -67,9 +151,26 @@ std::function<base::ExitCode()> attach_run(const Options& command, const Globals
         .between(0, 99)
         .shows_default();
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
+    command.add_flag("--set-pin", options->set_pin,
+                     "No session: ask for the PIN of the operator's page and keep it");
+    command
+        .add("--override", options->override_reason,
+             "Go on where the start refuses for little disk, a clock that ran backwards or a "
+             "failed refresh test; the reason goes into every row")
+        .type("REASON");
+    command
+        .add("--selftest", options->self_test,
+             fmt::format("No session: measure how well intervals are kept and how soon a key "
+                         "changes the screen, over N alternations of an image and grey (default "
+                         "{}); exit code 3 where they cannot be relied on. Each later session "
+                         "carries it",
+                         kUsualAlternations))
+        .type("[N]")
+        .value_optional();
     command.footer(
-        "The operator begins with the next participant by Ctrl+Shift+N and leaves with "
-        "Ctrl+Shift+Q.");
+        "The operator begins with the next participant by Ctrl+Shift+N. Ctrl+Shift+Q opens the "
+        "operator's page: how the study and the machine stand, backing up, withdrawing a "
+        "participant, leaving.");
     return [options, &globals] { return run(*options, globals); };
 }
 

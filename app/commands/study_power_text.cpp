@@ -86,7 +86,7 @@ std::string study_power_text(const stimuli::Study& study, const PowerRequest& re
         text += fmt::format(
             " Numbers of participants are whole blocks of {}, looked for with up to 400 studies "
             "each.",
-            stimuli::block_size(study.order, static_cast<int>(study.conditions.size())));
+            stimuli::block_size(study.order, study.pair_count()));
     }
     return analysis::wrapped(text + '\n') + '\n' + analysis::aligned(rows, 3);
 }

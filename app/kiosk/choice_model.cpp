@@ -84,7 +84,8 @@ ChoiceModel choices_from(const stimuli::Study& study, const analysis::Tally& vot
             });
         if (published == votes.conditions.end()) {
             model.probability_of_b.push_back(0.5);
-            if (original == nullptr) model.unpublished.push_back(condition.id);
+            if (original == nullptr && !condition.practice)
+                model.unpublished.push_back(condition.id);
         } else {
             const auto a = static_cast<double>(published->votes.a);
             const auto b = static_cast<double>(published->votes.b);

@@ -6,15 +6,21 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "analysis/store/address.h"
 #include "analysis/store/store.h"
+#include "analysis/store/withdraw.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
+#include "app/kiosk/operators_page.h"
+#include "app/kiosk/pin.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/session_runner.h"
+#include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/store_lock.h"
+#include "app/kiosk/timing.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "stimuli/manifest.h"
@@ -49,31 +55,152 @@ void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& ma
     return store_url.starts_with("sqlite3://");
 }
 
+/// A session must not end for want of room.
+void refuse_full_disk(const std::string& store_url) {
+    constexpr std::uintmax_t kLeastBytes = 100'000'000;
+    if (!is_file(store_url)) return;
+    const std::filesystem::path file = analysis::store_address(store_url).file;
+    std::error_code error;
+    const auto space = std::filesystem::space(std::filesystem::absolute(file).parent_path(), error);
+    if (error || space.available >= kLeastBytes) return;
+    throw base::failure(
+        "the disk of the store {} has room for {} MB only, needed are {} MB: make room, or choose "
+        "another place with --db",
+        file.string(), space.available / 1'000'000, kLeastBytes / 1'000'000);
+}
+
+/// Times of day are stored with the answers, and order them.
+void refuse_clock_that_ran_backwards(analysis::Store& store) {
+    constexpr double kMost_s = 60.0;
+    const std::string latest = store.latest_utc();
+    if (latest.empty()) return;
+    const std::string now = utc_now();
+    if (seconds_between(now, latest) <= kMost_s) return;
+    throw base::failure(
+        "the clock ran backwards: it is {} now, and the store has answers of {}: set the clock of "
+        "this machine",
+        now, latest);
+}
+
+/// A machine that was busy just then is not one whose swaps do not wait.
+[[nodiscard]] Pace steady_pace(Window& window, int grey_level) {
+    constexpr int kTries = 4;
+    Pace pace = measure_pace(window, grey_level);
+    for (int i = 1; i < kTries && !pace.locked; ++i) pace = measure_pace(window, grey_level);
+    return pace;
+}
+
+/// What is shown and for how long is known only where swapping waits for the display.
+void refuse_loose_pace(const Pace& pace, const Window& window) {
+    if (pace.locked) return;
+    throw base::failure(
+        "the refresh test failed: frames come {:.2f} ms apart, the monitor's {:.0f} Hz are {:.2f} "
+        "ms: let swapping wait for the display (vblank_mode, the driver's settings), and turn off "
+        "what composes windows",
+        pace.measured_s * 1000.0, window.refresh_hz(), pace.period_s * 1000.0);
+}
+
+/// Where the operator has a reason to go on, a refusal is only said.
+void unless_overridden(const KioskOptions& options, const std::function<void()>& check) {
+    try {
+        check();
+    } catch (const base::Error& error) {
+        if (options.override_reason.empty()) {
+            throw base::failure(
+                "{}; --override \"REASON\" goes on all the same, and puts the reason into every "
+                "row",
+                error.what());
+        }
+        base::log::warn("{}; goes on: {}", error.what(), options.override_reason);
+    }
+}
+
+/// The last self-test counts only for the monitor and GPU that it was made on.
+[[nodiscard]] std::string timing_of(const KioskOptions& options, const Window& window,
+                                    const Pace& pace) {
+    std::optional<SelfTest> last = last_self_test(options.data);
+    if (last &&
+        (last->display != window.display() || last->gpu_renderer != window.gpu_renderer())) {
+        base::log::warn(
+            "the last self-test was made on {}, {}: make one here with obscura run "
+            "--selftest",
+            last->display, last->gpu_renderer);
+        last.reset();
+    }
+    return session_timing(window.time_source(), pace.measured_s * 1000.0, pace.locked, last);
+}
+
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
     if (!is_file(store_url)) return words("all_saved");
     return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
+}
+
+constexpr std::size_t kBackupsKept = 20;
+
+/// The disk and the times of this machine, for the operator.
+[[nodiscard]] std::vector<std::string> machine_lines(const stimuli::Words& words,
+                                                     const KioskOptions& options,
+                                                     const std::string& timing) {
+    std::vector<std::string> lines;
+    std::error_code error;
+    const auto space = std::filesystem::space(std::filesystem::absolute(options.data), error);
+    if (!error) {
+        lines.push_back(words("op_disk", {{"free", std::to_string(space.available / 1'000'000)}}));
+    }
+    const auto json = nlohmann::json::parse(timing);
+    const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
+    lines.push_back(words("op_timing", {{"source", json.at("source").get<std::string>()},
+                                        {"frame", ms(json.at("frame_ms").get<double>())}}));
+    const auto& test = json.at("self_test");
+    if (test.is_null()) {
+        lines.push_back(words("op_no_selftest"));
+        return lines;
+    }
+    const auto& error_ms = test.at("error_ms");
+    lines.push_back(
+        words("op_selftest", {{"mean", ms(error_ms.at("mean").get<double>())},
+                              {"sd", ms(error_ms.at("sd").get<double>())},
+                              {"worst", ms(error_ms.at("worst").get<double>())},
+                              {"dropped", std::to_string(test.at("dropped_frames").get<int>())}}));
+    return lines;
 }
 
 /// One kiosk in its window.
 class Kiosk {
   public:
     Kiosk(const stimuli::Study& study, const stimuli::Manifest& manifest, analysis::Store& store,
-          Stage& stage)
-        : study_(study), manifest_(manifest), store_(store), stage_(stage) {
-        machine_ = {software_version(), operating_system(), stage.window.gpu_renderer(),
-                    stage.window.display(), stage.window.refresh_hz()};
+          Stage& stage, const KioskOptions& options, std::optional<Spool> spool)
+        : study_(study),
+          manifest_(manifest),
+          store_(store),
+          stage_(stage),
+          options_(options),
+          operators_(stage, hooks()),
+          spool_(std::move(spool)) {
+        machine_ = {software_version(),          operating_system(),
+                    stage.window.gpu_renderer(), stage.window.display(),
+                    stage.window.refresh_hz(),   timing_of(options, stage.window, stage.pace)};
     }
 
     void run() {
-        const auto cut_off = with_store("find the sessions that were cut off", [&] {
-            return store_.open_sessions(study_.name, Kind::kParticipant);
-        });
+        if (spool_ && spool_->waits()) {
+            const auto delivered = with_store("deliver what was kept on this machine", [&] {
+                spool_->deliver(store_);
+                return true;
+            });
+            if (!delivered) return;
+        }
+        const auto cut_off =
+            with_store("find the sessions that were cut off", [&] { return cut_off_sessions(); });
         if (!cut_off) return;
         End end = End::kDone;
         for (std::size_t i = 0; i < cut_off->size() && end == End::kDone; ++i) {
             end = settle(cut_off->at(i));
         }
-        while (end == End::kDone) end = run_new_session();
+        while (end == End::kDone) {
+            end = run_new_session();
+            back_up();
+        }
     }
 
     /// Rows that the operator gave up.
@@ -101,12 +228,70 @@ class Kiosk {
         }
     }
 
+    /// Open sessions that nobody is at. On a server one of another kiosk is taken to be under way
+    /// until nothing has come from it for a while.
+    [[nodiscard]] std::vector<analysis::SessionRecord> cut_off_sessions() {
+        constexpr double kLongestSilence_s = 3600.0;
+        auto sessions = store_.open_sessions(study_.name, Kind::kParticipant);
+        if (!spool_) return sessions;
+        const std::string now = utc_now();
+        std::erase_if(sessions, [&](const analysis::SessionRecord& session) {
+            if (spool_->is_own(session.session_id)) return false;
+            std::string latest = session.started_utc;
+            for (const auto& trial : store_.trials_of(session.session_id)) {
+                latest = std::max(latest, trial.answered_utc);
+            }
+            for (const auto& event : store_.events_of(session.session_id)) {
+                latest = std::max(latest, event.time_utc);
+            }
+            return seconds_between(latest, now) < kLongestSilence_s;
+        });
+        return sessions;
+    }
+
+    /// After each session; that it cannot be is said, and keeps nobody from taking part.
+    void back_up() {
+        try {
+            const auto file = store_.back_up(options_.backups, utc_now(), kBackupsKept);
+            if (file) base::log::info("the answers are copied to {}", file->string());
+        } catch (const std::exception& error) {
+            base::log::warn("the answers are saved, but not copied: {}", error.what());
+        }
+    }
+
+    [[nodiscard]] OperatorHooks hooks() {
+        OperatorHooks hooks;
+        hooks.report = [this] { return operator_report(store_, study_); };
+        hooks.back_up = [this] {
+            const auto file = store_.back_up(options_.backups, utc_now(), kBackupsKept);
+            return file ? study_.words("op_backed_up", {{"file", file->filename().string()}})
+                        : study_.words("op_server_backs_up");
+        };
+        hooks.withdraw = [this](const analysis::SessionRecord& session) {
+            (void)analysis::withdraw_participant(options_.store_url, session.participant_id,
+                                                 utc_now());
+            return study_.words("op_withdrawn", {{"folder", options_.backups.string()}});
+        };
+        hooks.machine_lines = [this] {
+            return machine_lines(study_.words, options_, machine_.timing);
+        };
+        hooks.pin = pin_file(options_.data);
+        return hooks;
+    }
+
     End run_new_session() {
+        struct Known {
+            std::vector<std::uint64_t> slots;
+            std::vector<std::string> codes;
+        };
         const auto taken = with_store("find the next order of the pairs", [&] {
-            return store_.taken_slots(study_.name, study_.seed, Kind::kParticipant);
+            return Known{store_.taken_slots(study_.name, study_.seed, Kind::kParticipant),
+                         store_.codes_of(study_.name)};
         });
         if (!taken) return End::kLeft;
-        Procedure procedure(study_, new_plan(*taken));
+        SessionPlan plan = new_plan(taken->slots);
+        plan.known_codes = taken->codes;
+        Procedure procedure(study_, std::move(plan));
         return play(procedure, {});
     }
 
@@ -116,14 +301,16 @@ class Kiosk {
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
         plan.machine = machine_;
+        plan.override_reason = options_.override_reason;
         plan.order = study_.session_order(stimuli::next_slot(taken));
         return plan;
     }
 
     End play(Procedure& procedure, std::vector<Row> rows) {
-        Journal journal = journal_to(store_, study_, procedure);
+        Journal journal = spool_ ? journal_to(store_, study_, procedure, *spool_)
+                                 : journal_to(store_, study_, procedure);
         journal.add(std::move(rows));
-        const End end = SessionRunner(stage_, procedure, journal).run();
+        const End end = SessionRunner(stage_, procedure, journal, operators_).run();
         unsaved_ += journal.waiting().size();
         return end;
     }
@@ -188,6 +375,7 @@ class Kiosk {
                const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
                SessionPlan plan) {
         plan.machine = machine_;
+        plan.override_reason = options_.override_reason;
         const Moment now = moment_now();
         double elapsed_s = std::max(0.0, seconds_between(session.started_utc, now.utc));
         if (!trials.empty()) {
@@ -195,38 +383,58 @@ class Kiosk {
             elapsed_s =
                 std::max(elapsed_s, trials.back().question_onset_s + trials.back().response_time_s);
         }
+        if (spool_) follow(session, trials);
         Procedure procedure(study_, std::move(plan));
         return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
+    }
+
+    /// Makes a session that goes on whole for the spool, as far as the server had it.
+    void follow(const analysis::SessionRecord& session,
+                const std::vector<analysis::TrialRecord>& trials) {
+        for (const auto& participant : store_.participants()) {
+            if (participant.participant_id != session.participant_id) continue;
+            spool_->follow(BeginSession{participant, session, {}});
+        }
+        for (const analysis::TrialRecord& trial : trials) spool_->follow(trial);
     }
 
     const stimuli::Study& study_;
     const stimuli::Manifest& manifest_;
     analysis::Store& store_;
     Stage& stage_;
+    const KioskOptions& options_;
+    OperatorsPage operators_;
+    std::optional<Spool> spool_;  ///< of a store on a server
     Machine machine_;
     std::size_t unsaved_ = 0;
 };
 
 }  // namespace
 
+WindowOptions window_options(const stimuli::Study& study, const KioskOptions& options) {
+    const Extent image{study.width, study.height};
+    const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
+    return {options.monitor, options.windowed, beside ? room_beside(image) : image};
+}
+
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_incomplete_stimuli(study, options);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
     refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
-    Window window({options.monitor, options.windowed, {study.width, study.height}});
+    Window window(window_options(study, options));
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
     // lock: `obscura demo` may have replaced the file in between.
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
-    Ui ui(window, study.words, study.grey_level);
-    Stage stage{window,
-                ui,
-                study,
-                options.folder,
-                measure_pace(window, study.grey_level),
-                saved_note(study.words, options.store_url)};
+    const Pace pace = steady_pace(window, study.presentation.grey_level);
+    unless_overridden(options, [&] { refuse_full_disk(options.store_url); });
+    unless_overridden(options, [&] { refuse_clock_that_ran_backwards(store); });
+    if (!options.windowed) unless_overridden(options, [&] { refuse_loose_pace(pace, window); });
+    Ui ui(window, study.words, study.presentation.grey_level);
+    Stage stage{window,         ui,   study,
+                options.folder, pace, saved_note(study.words, options.store_url)};
     base::log::info("kiosk on {}, {}, {}", window.display(), window.gpu_renderer(),
                     stage.pace.locked ? "presenting waits for the refresh"
                                       : "presenting does not wait for the refresh");
@@ -236,7 +444,10 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
             "that one file has every answer whenever a page is shown: copy it as it is");
     }
     base::log::info("{}", stimuli::Words()("operators_key"));
-    Kiosk kiosk(study, manifest, store, stage);
+    std::optional<Spool> spool;
+    if (!is_file(options.store_url))
+        spool.emplace(options.backups.parent_path(), options.store_url);
+    Kiosk kiosk(study, manifest, store, stage, options, std::move(spool));
     kiosk.run();
     if (kiosk.unsaved() > 0) {
         throw base::failure(

@@ -25,7 +25,8 @@ Pace pace_of(std::vector<double> intervals_s, double refresh_hz) {
     pace.period_s = 1.0 / (refresh_hz > 0.0 ? refresh_hz : kUsualRefresh_hz);
     if (intervals_s.empty()) return pace;
     std::sort(intervals_s.begin(), intervals_s.end());
-    const double off = std::abs(analysis::quantile_of_sorted(intervals_s, 0.5) - pace.period_s);
+    pace.measured_s = analysis::quantile_of_sorted(intervals_s, 0.5);
+    const double off = std::abs(pace.measured_s - pace.period_s);
     const double spread = analysis::quantile_of_sorted(intervals_s, 0.9) -
                           analysis::quantile_of_sorted(intervals_s, 0.1);
     pace.locked =

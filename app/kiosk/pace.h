@@ -10,8 +10,9 @@ namespace obscura::app::kiosk {
 
 /// How frames reach the screen.
 struct Pace {
-    double period_s = 0.0;  ///< of the display's refresh
-    bool locked = false;    ///< presenting waits for the refresh
+    double period_s = 0.0;    ///< of the display's refresh
+    double measured_s = 0.0;  ///< between two frames handed over one after the other, median
+    bool locked = false;      ///< presenting waits for the refresh
     /// A frame that is to be visible at a time is handed over this much earlier: half a period
     /// where presenting waits, so that the refresh nearest to that time shows it; else nothing.
     [[nodiscard]] double lead_s() const { return locked ? 0.5 * period_s : 0.0; }

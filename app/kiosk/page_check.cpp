@@ -71,7 +71,7 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
     const Extent window{std::max(kSmallestWindow.width, study.width),
                         std::max(kSmallestWindow.height, study.height)};
     Layout layout(study.words, window);
-    const int count = static_cast<int>(study.conditions.size());
+    const Progress at{0, study.pair_count()};
     std::vector<std::string> notes;
     const auto note = [&](const char* what, const std::function<void(const Fonts&)>& page) {
         if (layout.holds(page)) return;
@@ -82,11 +82,21 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
     };
     note("the instructions are",
          [&](const Fonts& fonts) { (void)instructions_screen(fonts, study); });
-    note("the question is",
-         [&](const Fonts& fonts) { (void)question_screen(fonts, study, 0, count); });
+    if (!study.information.empty()) {
+        note("the information is",
+             [&](const Fonts& fonts) { (void)information_screen(fonts, study); });
+    }
+    FormDraft draft;
+    if (study.consent) {
+        note("the consent is",
+             [&](const Fonts& fonts) { (void)consent_screen(fonts, *study.consent, draft); });
+    }
+    note("the form is", [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); });
+    note("the question is", [&](const Fonts& fonts) { (void)question_screen(fonts, study, at); });
     note("the thanks are",
          [&](const Fonts& fonts) { thanks_screen(fonts, study, study.words("all_saved")); });
-    note("the list of pairs is", [&](const Fonts& fonts) { (void)pairs_screen(fonts, 0, count); });
+    note("the list of pairs is",
+         [&](const Fonts& fonts) { (void)pairs_screen(fonts, at, study.has_next_button()); });
     return notes;
 }
 

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "stimuli/variant_names.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -22,12 +21,26 @@ template <typename T>
     return std::holds_alternative<T>(event);
 }
 
+[[nodiscard]] bool is_image(Screen screen) {
+    return screen == Screen::kFirstImage || screen == Screen::kSecondImage ||
+           screen == Screen::kBothImages;
+}
+
 }  // namespace
 
-FormProblems problems_of(const Form& form) {
-    return {.age = !form.age_years || *form.age_years < kYoungest_years ||
-                   *form.age_years > kOldest_years,
-            .consent = !form.consent};
+FormProblems problems_of(const Form& form, const stimuli::Study& study) {
+    FormProblems problems;
+    problems.consent = !study.consent && !form.consent;
+    if (study.form.empty()) {
+        problems.age =
+            !form.age_years || *form.age_years < kYoungest_years || *form.age_years > kOldest_years;
+        return problems;
+    }
+    for (std::size_t i = 0; i < study.form.size(); ++i) {
+        const FieldAnswer answer = i < form.fields.size() ? form.fields[i] : FieldAnswer{};
+        if (problem_of(study.form[i], answer) != FieldProblem::kNone) problems.fields = true;
+    }
+    return problems;
 }
 
 Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)
@@ -39,15 +52,36 @@ void Procedure::change_order(stimuli::SessionOrder order) {
 }
 
 const StimulusImage& Procedure::image(int pair, int position) const {
-    const auto condition = static_cast<std::size_t>(plan_.order.conditions.at(pair));
-    const std::size_t side =
-        (position == 0) == plan_.order.b_first(static_cast<std::size_t>(pair)) ? 1 : 0;
-    return plan_.images.at(condition).at(side);
+    const std::size_t side = (position == 0) == plan_.b_first(pair) ? 1 : 0;
+    return plan_.images.at(plan_.condition_of(pair)).at(side);
 }
 
-std::optional<double> Procedure::second_image_due_s() const {
-    if (screen_ != Screen::kGrey || !visible_) return std::nullopt;
-    return trial_.grey_onset_s + study_->grey_ms / kMillisecondsPerSecond;
+Progress Procedure::progress() const {
+    const int practice = plan_.practice_count();
+    if (pair_ < practice) return {pair_, practice, true};
+    return {pair_ - practice, pair_count() - practice, false};
+}
+
+std::optional<double> Procedure::next_due_s() const {
+    if (!visible_) return std::nullopt;
+    const stimuli::Presentation& shown = study_->presentation;
+    if (screen_ == Screen::kInterval) {
+        return trial_.interval_onset_s + shown.grey_ms / kMillisecondsPerSecond;
+    }
+    if (!is_image(screen_) || shown.exposure_ms == 0) return std::nullopt;
+    return since_s_ - seen_before_s_ + shown.exposure_ms / kMillisecondsPerSecond;
+}
+
+Screen Procedure::next_in_pair() const {
+    if (screen_ == Screen::kFirstImage) return Screen::kInterval;
+    return screen_ == Screen::kInterval ? Screen::kSecondImage : Screen::kQuestion;
+}
+
+double Procedure::least_seen_s() const {
+    const stimuli::Presentation& shown = study_->presentation;
+    if (is_image(screen_)) return shown.min_view_ms / kMillisecondsPerSecond;
+    if (screen_ == Screen::kQuestion) return shown.min_response_ms / kMillisecondsPerSecond;
+    return screen_ == Screen::kBreak ? shown.break_min_s : 0.0;
 }
 
 void Procedure::show(Screen screen) {
@@ -91,15 +125,14 @@ std::vector<Row> Procedure::step(const Event& event, const Moment& now) {
 void Procedure::presented(const ScreenPresented& event, double time_s) {
     visible_ = true;
     since_s_ = time_s;
-    takes_presses_from_s_ = time_s + study_->input_delay_ms / kMillisecondsPerSecond;
+    takes_presses_from_s_ =
+        time_s + std::max(study_->presentation.input_delay_ms / kMillisecondsPerSecond,
+                          least_seen_s() - seen_before_s_);
     end_seen_ = event.end_in_view;
-    // Grey that the operator's question interrupted starts anew; other screens keep their onset.
-    if (screen_ == Screen::kGrey) trial_.grey_onset_s = time_s;
-    if (first_time_) {
-        if (screen_ == Screen::kFirstImage) trial_.first_onset_s = time_s;
-        if (screen_ == Screen::kSecondImage) trial_.second_onset_s = time_s;
-        if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
-    }
+    // An interval that the operator's question interrupted starts anew; other screens keep their
+    // onset.
+    if (screen_ == Screen::kInterval) trial_.interval_onset_s = time_s;
+    if (first_time_) note_onset(time_s);
     if (screen_ != Screen::kConfirmLeave) {
         if (gone_since_s_) trial_.hidden_s += time_s - *gone_since_s_;
         gone_since_s_.reset();
@@ -108,12 +141,28 @@ void Procedure::presented(const ScreenPresented& event, double time_s) {
     }
 }
 
+void Procedure::note_onset(double time_s) {
+    const bool both = screen_ == Screen::kBothImages;
+    if (screen_ == Screen::kFirstImage || both) trial_.first_onset_s = time_s;
+    if (screen_ == Screen::kSecondImage || both) trial_.second_onset_s = time_s;
+    if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
+    // An image that went by itself was seen until this.
+    if (!went_by_itself_s_) return;
+    const bool second = screen_ == Screen::kQuestion;
+    (second ? trial_.second_view_s : trial_.first_view_s) = time_s - *went_by_itself_s_;
+    if (second && study_->presentation.layout == stimuli::Layout::kSideBySide) {
+        trial_.first_view_s = trial_.second_view_s;
+    }
+    went_by_itself_s_.reset();
+}
+
 /// What made the page scroll to its end does not leave it as well.
 void Procedure::end_came_into_view(double time_s) {
     if (end_seen_) return;
     end_seen_ = true;
     takes_presses_from_s_ =
-        std::max(takes_presses_from_s_, time_s + study_->input_delay_ms / kMillisecondsPerSecond);
+        std::max(takes_presses_from_s_,
+                 time_s + study_->presentation.input_delay_ms / kMillisecondsPerSecond);
 }
 
 bool Procedure::takes(const Moment& pressed) const {
@@ -123,12 +172,25 @@ bool Procedure::takes(const Moment& pressed) const {
 std::vector<Row> Procedure::participant_did(const Event& event, const Moment& now) {
     switch (screen_) {
         case Screen::kStart:
-            if (is<StartPressed>(event)) show(Screen::kForm);
+            if (is<StartPressed>(event)) show(after(Screen::kStart));
+            break;
+        case Screen::kInformation:
+            if (is<InformationRead>(event)) show(after(Screen::kInformation));
+            break;
+        case Screen::kConsent:
+            if (is<ConsentGiven>(event)) {
+                consent_utc_ = now.utc;
+                show(after(Screen::kConsent));
+            }
             break;
         case Screen::kForm:
             if (const auto* submitted = std::get_if<FormSubmitted>(&event)) {
-                if (problems_of(submitted->form).none()) return begin(submitted->form, now);
+                return submit(submitted->form, now);
             }
+            break;
+        case Screen::kKnownCode:
+            if (is<CodeTakenBack>(event)) show(Screen::kForm);
+            if (is<CodeConfirmed>(event)) return begin(submitted_, now);
             break;
         case Screen::kInstructions:
             if (is<InstructionsRead>(event)) {
@@ -138,33 +200,31 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
             break;
         case Screen::kPairs:
             if (const auto* pressed = std::get_if<PairPressed>(&event)) {
-                if (pressed->pair == pair_) {
-                    trial_ = {};
-                    show(Screen::kFirstImage);
-                }
+                if (pressed->pair == progress().pair) begin_pair();
             }
             break;
         case Screen::kFirstImage:
-            if (is<SpacePressed>(event)) {
-                trial_.first_view_s = seen_s(now.time_s);
-                show(Screen::kGrey);
-            }
-            break;
-        case Screen::kGrey:
-            if (const auto* tick = std::get_if<Tick>(&event)) {
-                if (tick->expected_onset_s >= *second_image_due_s()) show(Screen::kSecondImage);
-            }
-            break;
         case Screen::kSecondImage:
-            if (is<SpacePressed>(event)) {
-                trial_.second_view_s = seen_s(now.time_s);
-                show(Screen::kQuestion);
+        case Screen::kBothImages:
+        case Screen::kInterval:
+            if (const auto* tick = std::get_if<Tick>(&event)) time_passed(tick->expected_onset_s);
+            if (is<SpacePressed>(event) && is_image(screen_) && !next_due_s()) {
+                leave_image(seen_s(now.time_s));
             }
             break;
         case Screen::kQuestion:
             if (const auto* answered = std::get_if<Answered>(&event)) {
                 return answer(answered->first, now);
             }
+            break;
+        case Screen::kFeedback:
+        case Screen::kPracticeOver:
+            if (is<WentOn>(event)) {
+                show(screen_ == Screen::kFeedback ? after_pair() : Screen::kPairs);
+            }
+            break;
+        case Screen::kBreak:
+            if (is<WentOn>(event)) return end_break(now);
             break;
         case Screen::kThanks:
             if (is<NextParticipant>(event)) show(Screen::kDone);
@@ -177,113 +237,95 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
     return {};
 }
 
+/// The page that comes next of those before the form, which a study may have or not.
+Screen Procedure::after(Screen screen) const {
+    if (screen == Screen::kStart && !study_->information.empty()) return Screen::kInformation;
+    if (screen != Screen::kConsent && study_->consent) return Screen::kConsent;
+    return Screen::kForm;
+}
+
+std::vector<Row> Procedure::submit(const Form& form, const Moment& now) {
+    if (!problems_of(form, *study_).none()) return {};
+    const std::string code = code_in(study_->form, form.fields);
+    const bool is_known = std::any_of(plan_.known_codes.begin(), plan_.known_codes.end(),
+                                      [&](const auto& other) { return is_same_code(code, other); });
+    if (code.empty() || !is_known) return begin(form, now);
+    submitted_ = form;
+    show(Screen::kKnownCode);
+    return {};
+}
+
 std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
+    const bool code_was_known = screen_ == Screen::kKnownCode;
     began_ = true;
     began_s_ = now.time_s;
     BeginSession rows;
-    rows.participant = {.participant_id = plan_.participant_id,
-                        .kind = plan_.kind,
-                        .age_years = form.age_years,
-                        .gender = form.gender,
-                        .normal_vision = form.normal_vision,
-                        .naive = form.naive,
-                        .consent = form.consent,
-                        .created_utc = now.utc};
-    rows.session = {.session_id = plan_.session_id,
-                    .participant_id = plan_.participant_id,
-                    .kind = plan_.kind,
-                    .study = study_->name,
-                    .study_sha256 = study_->sha256,
-                    .order = std::string(stimuli::to_string(study_->order)),
-                    .seed = study_->seed,
-                    .slot = plan_.order.slot,
-                    .latin_square = plan_.order.latin_square,
-                    .latin_row = plan_.order.latin_row,
-                    .swapped = plan_.order.swapped,
-                    .condition_count = pair_count(),
-                    .state = analysis::SessionState::kOpen,
-                    .started_utc = now.utc,
-                    .ended_utc = "",
-                    .software = plan_.machine.software,
-                    .operating_system = plan_.machine.operating_system,
-                    .gpu_renderer = plan_.machine.gpu_renderer,
-                    .display = plan_.machine.display,
-                    .refresh_hz = plan_.machine.refresh_hz,
-                    .exclusion = study_->exclusion.to_json(),
-                    .study_plan = study_->plan_json()};
+    rows.participant = participant_record(form, now);
+    rows.session = session_record(now);
     rows.events = {event_record(kStimuliEvent, digest_of(plan_.images), now)};
+    if (code_was_known) {
+        rows.events.push_back(event_record("code known", "the operator went on with it", now));
+    }
     show(Screen::kInstructions);
     return {std::move(rows)};
 }
 
+void Procedure::begin_pair() {
+    trial_ = {};
+    const bool beside = study_->presentation.layout == stimuli::Layout::kSideBySide;
+    show(beside ? Screen::kBothImages : Screen::kFirstImage);
+}
+
+void Procedure::leave_image(double seen_s) {
+    if (screen_ != Screen::kSecondImage) trial_.first_view_s = seen_s;
+    if (screen_ != Screen::kFirstImage) trial_.second_view_s = seen_s;
+    show(next_in_pair());
+}
+
+void Procedure::time_passed(double expected_onset_s) {
+    const std::optional<double> due_s = next_due_s();
+    if (!due_s || expected_onset_s < *due_s) return;
+    if (screen_ == Screen::kInterval) {
+        show(Screen::kSecondImage);
+        return;
+    }
+    const double seen_from_s = since_s_ - seen_before_s_;
+    leave_image(expected_onset_s - seen_from_s);
+    went_by_itself_s_ = seen_from_s;
+}
+
 std::vector<Row> Procedure::answer(bool first, const Moment& now) {
     std::vector<Row> rows{trial_record(first, now)};
+    const stimuli::Condition& condition = study_->conditions.at(plan_.condition_of(pair_));
+    const bool chose_b = first == plan_.b_first(pair_);
+    was_expected_ = chose_b == (condition.expected == 'B');
     ++pair_;
-    if (pair_ < pair_count()) {
-        show(Screen::kPairs);
-    } else {
-        show(Screen::kThanks);
-        rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
-    }
+    show(condition.practice && condition.expected != '\0' ? Screen::kFeedback : after_pair());
+    if (pair_ == pair_count()) rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
     return rows;
 }
 
-analysis::TrialRecord Procedure::trial_record(bool first, const Moment& now) const {
-    const auto index = static_cast<std::size_t>(plan_.order.conditions.at(pair_));
-    const stimuli::Condition& condition = study_->conditions.at(index);
-    const stimuli::StudyScene& scene = study_->scene_of(condition);
-    const bool a_first = !plan_.order.b_first(static_cast<std::size_t>(pair_));
-    analysis::TrialRecord row;
-    row.session_id = plan_.session_id;
-    row.kind = condition.expected != '\0' ? analysis::Kind::kCatch : plan_.kind;
-    row.trial_index = pair_;
-    row.condition = condition.id;
-    row.hypothesis = condition.hypothesis;
-    row.scene = scene.id;
-    row.validity = std::string(stimuli::to_string(scene.validity));
-    const stimuli::VariantNames names = stimuli::variant_names(*study_);
-    row.condition_A = names.at({condition.id, 'a'});
-    row.condition_B = names.at({condition.id, 'b'});
-    row.first_shown = a_first ? 'A' : 'B';
-    row.response_first = first;
-    row.is_A_selected = first == a_first;
-    row.response_time_s = seen_s(now.time_s);
-    row.first_onset_s = trial_.first_onset_s - began_s_;
-    row.second_onset_s = trial_.second_onset_s - began_s_;
-    row.question_onset_s = trial_.question_onset_s - began_s_;
-    row.first_view_ms = trial_.first_view_s * kMillisecondsPerSecond;
-    row.second_view_ms = trial_.second_view_s * kMillisecondsPerSecond;
-    row.grey_ms_measured = (trial_.second_onset_s - trial_.grey_onset_s) * kMillisecondsPerSecond;
-    row.dropped_frames = trial_.dropped_frames;
-    row.hidden_ms = trial_.hidden_s * kMillisecondsPerSecond;
-    row.first_sha256 = image(pair_, 0).sha256;
-    row.second_sha256 = image(pair_, 1).sha256;
-    row.answered_utc = now.utc;
-    row.expected = condition.expected;
-    row.repeats = condition.repeats;
-    return row;
+Screen Procedure::after_pair() const {
+    if (pair_ == pair_count()) return Screen::kThanks;
+    const int answered = pair_ - plan_.practice_count();
+    if (answered < 0) return Screen::kPairs;
+    if (answered == 0) return Screen::kPracticeOver;
+    const int between = study_->presentation.break_after;
+    return between > 0 && answered % between == 0 ? Screen::kBreak : Screen::kPairs;
 }
 
-std::string Procedure::place() const {
-    const std::string pair = fmt::format("pair {}", pair_ + 1);
-    switch (screen_ == Screen::kConfirmLeave ? covered_ : screen_) {
-        case Screen::kFirstImage:
-            return pair + ", first image";
-        case Screen::kGrey:
-            return pair + ", grey interval";
-        case Screen::kSecondImage:
-            return pair + ", second image";
-        case Screen::kQuestion:
-            return pair + ", question";
-        default:
-            return "between the pairs";
-    }
+std::vector<Row> Procedure::end_break(const Moment& now) {
+    const std::string detail =
+        fmt::format("{:.1f} s, after {} pairs", seen_s(now.time_s), progress().pair);
+    show(Screen::kPairs);
+    return {event_record("break", detail, now)};
 }
 
 void Procedure::go_out_of_sight(double time_s) {
     seen_before_s_ = seen_s(time_s);
     visible_ = false;
     takes_presses_from_s_ = std::numeric_limits<double>::infinity();
+    went_by_itself_s_.reset();
     if (!gone_since_s_) gone_since_s_ = time_s;
 }
 
@@ -327,14 +369,6 @@ std::vector<Row> Procedure::decide_leave(bool leave, const Moment& now) {
     return {event_record(leave ? "operator left" : "operator stayed", "", now)};
 }
 
-analysis::EventRecord Procedure::event_record(std::string name, std::string detail,
-                                              const Moment& now) const {
-    return {.session_id = began_ ? plan_.session_id : "",
-            .time_utc = now.utc,
-            .name = std::move(name),
-            .detail = std::move(detail)};
-}
-
 std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& answered,
                                    bool instructions_read, double elapsed_s, const Moment& now) {
     if (static_cast<int>(answered.size()) > pair_count()) {
@@ -342,8 +376,8 @@ std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& ans
                               answered.size(), pair_count());
     }
     for (std::size_t i = 0; i < answered.size(); ++i) {
-        const auto index = static_cast<std::size_t>(plan_.order.conditions.at(i));
-        const std::string& expected = study_->conditions.at(index).id;
+        const std::string& expected =
+            study_->conditions.at(plan_.condition_of(static_cast<int>(i))).id;
         if (answered[i].trial_index != static_cast<int>(i) || answered[i].condition != expected) {
             throw base::bad_input(
                 "session {} cannot be continued: its answer {} is of condition {} at place {}, the "

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/store/records.h"
+#include "app/kiosk/form_answers.h"
 #include "app/kiosk/session_plan.h"
 #include "stimuli/study.h"
 
@@ -17,13 +18,20 @@ namespace obscura::app::kiosk {
 /// What is to be on the screen.
 enum class Screen {
     kStart,         ///< waits for a participant
+    kInformation,   ///< the study's text before all else, where it has one
+    kConsent,       ///< what the participant agrees to, where the study has it on a page of its own
     kForm,          ///< who takes part
+    kKnownCode,     ///< a code that took part before: the operator decides
     kInstructions,  ///< the study's text
-    kPairs,         ///< one button for each pair, of which only the next is enabled
+    kPairs,         ///< one button for each pair, of which only the next is enabled; or just that
     kFirstImage,
-    kGrey,  ///< the interval between the two images, which nothing shortens
+    kInterval,  ///< between the two images; nothing shortens it
     kSecondImage,
+    kBothImages,    ///< in place of these three, where they are shown side by side
     kQuestion,      ///< which of the two?
+    kFeedback,      ///< whether the answer to a pair of practice was the expected one
+    kPracticeOver,  ///< from now on it counts
+    kBreak,
     kThanks,        ///< the session is complete
     kConfirmLeave,  ///< the operator asked to leave
     kDone,          ///< the participant is done: the next one gets a new Procedure
@@ -32,10 +40,11 @@ enum class Screen {
 
 /// What the participant filled in.
 struct Form {
-    std::optional<int> age_years;
-    std::string gender;  ///< free text, or kRatherNotSayStored; empty: no answer
-    std::optional<bool> normal_vision;
-    std::optional<bool> naive;
+    std::vector<FieldAnswer> fields = {};  ///< in the order of the study's own, where it has them
+    std::optional<int> age_years = {};
+    std::string gender = {};  ///< free text, or kRatherNotSayStored; empty: no answer
+    std::optional<bool> normal_vision = {};
+    std::optional<bool> naive = {};
     bool consent = false;
 };
 /// What the store keeps where someone chose not to say.
@@ -43,28 +52,37 @@ inline constexpr const char* kRatherNotSayStored = "rather not say";
 inline constexpr int kYoungest_years = 1;
 inline constexpr int kOldest_years = 120;
 
-/// What keeps the form from being accepted. Consent and an age from 1 to 120 are needed; the other
-/// questions may stay unanswered.
+/// What keeps the form from being accepted. Of the kiosk's own an age from 1 to 120 is needed, of a
+/// study's own what it requires; and the consent, unless that has a page of its own.
 struct FormProblems {
     bool age = false;
+    bool fields = false;  ///< any of the study's
     bool consent = false;
-    [[nodiscard]] bool none() const { return !age && !consent; }
+    [[nodiscard]] bool none() const { return !age && !fields && !consent; }
 };
-[[nodiscard]] FormProblems problems_of(const Form& form);
+[[nodiscard]] FormProblems problems_of(const Form& form, const stimuli::Study& study);
 
 // What can happen. An event that the screen has no use for is ignored.
 struct StartPressed {};
+struct InformationRead {};
+struct ConsentGiven {};  ///< to each of its items
+/// The code on the form was a mistake.
+struct CodeTakenBack {};
+/// The operator goes on with a code that took part before.
+struct CodeConfirmed {};
 struct FormSubmitted {
     Form form;
 };
 struct InstructionsRead {};
 struct PairPressed {
-    int pair = 0;  ///< from 0, in order of showing
+    int pair = 0;  ///< as Progress counts them
 };
 struct SpacePressed {};  ///< or what else the study lets end the look at an image
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
+/// From feedback, the end of practice or a break.
+struct WentOn {};
 struct NextParticipant {};
 /// The first frame of the screen asked for last is visible.
 struct ScreenPresented {
@@ -86,9 +104,11 @@ struct ScreenSeen {};
 struct LeaveRequested {};
 struct LeaveConfirmed {};
 struct LeaveCancelled {};
-using Event = std::variant<StartPressed, FormSubmitted, InstructionsRead, PairPressed, SpacePressed,
-                           Answered, NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden,
-                           ScreenSeen, LeaveRequested, LeaveConfirmed, LeaveCancelled>;
+using Event =
+    std::variant<StartPressed, InformationRead, ConsentGiven, CodeTakenBack, CodeConfirmed,
+                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered, WentOn,
+                 NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden, ScreenSeen,
+                 LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
 /// When an event happened.
 struct Moment {
@@ -114,9 +134,17 @@ struct CompleteSession {
 using Row =
     std::variant<BeginSession, analysis::TrialRecord, CompleteSession, analysis::EventRecord>;
 
-/// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D: form,
-/// instructions, and for each pair its button, the first image until space, the grey interval, the
-/// second image until space, the question. There is no way back to an image.
+/// Where a participant is in the pairs, as the pages say it: in practice or in what counts.
+struct Progress {
+    int pair = 0;  ///< next or being shown, from 0
+    int count = 0;
+    bool practice = false;
+};
+
+/// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D unless the study
+/// says otherwise: form, instructions, and for each pair its button, the first image until space,
+/// the grey interval, the second image until space, the question. Practice comes before the pairs
+/// that count, breaks between them. There is no way back to an image.
 ///
 /// It knows no window, clock or database. Events go in; out come the rows to commit, and then the
 /// screen to show. Nothing a participant does counts before the screen is visible
@@ -152,9 +180,16 @@ class Procedure {
     /// The screen takes what is pressed from then on; nothing before it is visible. The operator's
     /// wish to leave is taken at any time.
     [[nodiscard]] double takes_presses_from_s() const { return takes_presses_from_s_; }
-    /// The pair that is next or being shown, from 0; pair_count() after the last.
+    /// The code that took part before, on the screen kKnownCode.
+    [[nodiscard]] std::string known_code() const {
+        return code_in(study_->form, submitted_.fields);
+    }
+    /// The pair that is next or being shown, from 0, practice first; pair_count() after the last.
     [[nodiscard]] int pair() const { return pair_; }
-    [[nodiscard]] int pair_count() const { return static_cast<int>(plan_.order.conditions.size()); }
+    [[nodiscard]] int pair_count() const { return plan_.pair_count(); }
+    [[nodiscard]] Progress progress() const;
+    /// On the screen kFeedback: whether the answer was the expected one.
+    [[nodiscard]] bool was_expected() const { return was_expected_; }
     /// Whether the session has begun and is not complete.
     [[nodiscard]] bool session_open() const { return began_ && pair_ < pair_count(); }
     /// Whether the screen is hidden; it is shown, and ScreenPresented due, only after ScreenSeen.
@@ -162,15 +197,20 @@ class Procedure {
     [[nodiscard]] bool hidden() const { return !hidden_why_.empty(); }
     /// The image of that pair shown first (position 0) or second (position 1).
     [[nodiscard]] const StimulusImage& image(int pair, int position) const;
-    /// While the grey interval is visible: when the second image is due to be visible.
-    [[nodiscard]] std::optional<double> second_image_due_s() const;
+    /// While the visible screen goes by itself, as the interval does: when the next one is due to
+    /// be visible.
+    [[nodiscard]] std::optional<double> next_due_s() const;
+    /// The screen that comes after such a one.
+    [[nodiscard]] Screen next_in_pair() const;
     [[nodiscard]] const SessionPlan& plan() const { return plan_; }
+    /// The study's own questions on the form.
+    [[nodiscard]] const std::vector<stimuli::FormField>& fields() const { return study_->form; }
 
   private:
     /// What is known of the trial under way.
     struct Trial {
         double first_onset_s = 0.0;
-        double grey_onset_s = 0.0;
+        double interval_onset_s = 0.0;
         double second_onset_s = 0.0;
         double question_onset_s = 0.0;
         double first_view_s = 0.0;
@@ -180,12 +220,29 @@ class Procedure {
     };
 
     void show(Screen screen);
+    /// How long the screen is to be seen before it takes anything.
+    [[nodiscard]] double least_seen_s() const;
     void presented(const ScreenPresented& event, double time_s);
+    /// The screen is visible for the first time.
+    void note_onset(double time_s);
     void end_came_into_view(double time_s);
     [[nodiscard]] bool takes(const Moment& pressed) const;
     std::vector<Row> participant_did(const Event& event, const Moment& now);
+    std::vector<Row> submit(const Form& form, const Moment& now);
     std::vector<Row> begin(const Form& form, const Moment& now);
+    // procedure_rows.cpp: what the rows say.
+    [[nodiscard]] analysis::ParticipantRecord participant_record(const Form& form,
+                                                                 const Moment& now) const;
+    [[nodiscard]] analysis::SessionRecord session_record(const Moment& now) const;
+    [[nodiscard]] Screen after(Screen screen) const;
+    void begin_pair();
+    /// The image on the screen is left for the next screen of the pair.
+    void leave_image(double seen_s);
+    void time_passed(double expected_onset_s);
     std::vector<Row> answer(bool first, const Moment& now);
+    /// After an answer or its feedback.
+    [[nodiscard]] Screen after_pair() const;
+    std::vector<Row> end_break(const Moment& now);
     std::vector<Row> hide(const std::string& why, const Moment& now);
     std::vector<Row> see_again(const Moment& now);
     /// The screen ceases to be visible until it is presented again.
@@ -216,10 +273,15 @@ class Procedure {
     std::optional<double> gone_since_s_;  ///< hidden or covered since then
     std::string hidden_why_;              ///< empty: not hidden
     double hidden_since_s_ = 0.0;
-    double latest_s_;  ///< of all events taken
+    double latest_s_;          ///< of all events taken
+    Form submitted_;           ///< what the operator is asked about
+    std::string consent_utc_;  ///< when it was given on its page
     bool began_ = false;
     double began_s_ = 0.0;
     int pair_ = 0;
+    bool was_expected_ = false;
+    /// Since when the image that just went by itself was seen; nothing: none did, or it was hidden.
+    std::optional<double> went_by_itself_s_;
     Trial trial_;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "renderer/base/error.h"
+#include "renderer/base/log.h"
 #include "stimuli/order/order.h"
 
 namespace obscura::app::kiosk {
@@ -26,7 +27,7 @@ struct Commit {
     void operator()(const analysis::EventRecord& row) const { store.add_event(row); }
 };
 
-/// Whether the row is in the store. An event may stand there twice; that harms nobody.
+/// Whether the row is in the store.
 struct IsCommitted {
     analysis::Store& store;
 
@@ -43,7 +44,11 @@ struct IsCommitted {
     bool operator()(const CompleteSession& row) const {
         return has_session(row.session_id, analysis::SessionState::kCompleted);
     }
-    bool operator()(const analysis::EventRecord&) const { return false; }
+    bool operator()(const analysis::EventRecord& row) const {
+        const auto events =
+            row.session_id.empty() ? store.other_events() : store.events_of(row.session_id);
+        return std::find(events.begin(), events.end(), row) != events.end();
+    }
 
     [[nodiscard]] bool has_session(const std::string& id,
                                    std::optional<analysis::SessionState> state) const {
@@ -118,6 +123,40 @@ void commit_begin(analysis::Store& store, const stimuli::Study& study, Procedure
 
 void commit(analysis::Store& store, const Row& row) {
     commit_by([&] { std::visit(Commit{store}, row); }, store, row);
+}
+
+namespace {
+
+/// To the server, after what waits for it here; or here, where it is away.
+void commit_or_keep(analysis::Store& store, Spool& spool, const Row& row) {
+    try {
+        if (spool.waits()) spool.deliver(store);
+        commit(store, row);
+        spool.follow(row);
+    } catch (const std::exception& error) {
+        if (outcome_of(store, row) != Outcome::kUnknown) throw;
+        base::log::warn("{}; {} is kept in {} until the server answers again", error.what(),
+                        name_of(row), spool.file().string());
+        spool.keep(row);
+    }
+}
+
+}  // namespace
+
+Journal journal_to(analysis::Store& store, const stimuli::Study& study, Procedure& procedure,
+                   Spool& spool) {
+    return Journal([&](const Row& row) {
+        const auto* begin = std::get_if<BeginSession>(&row);
+        if (begin == nullptr) {
+            commit_or_keep(store, spool, row);
+            return;
+        }
+        if (spool.waits()) spool.deliver(store);
+        commit_begin(store, study, procedure, *begin);
+        BeginSession begun = *begin;
+        set_order(begun.session, procedure.plan().order);
+        spool.follow(begun);
+    });
 }
 
 Journal journal_to(analysis::Store& store) {

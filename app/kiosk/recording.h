@@ -4,6 +4,7 @@
 
 #include "analysis/store/store.h"
 #include "app/kiosk/journal.h"
+#include "app/kiosk/spool.h"
 
 namespace obscura::app::kiosk {
 
@@ -19,5 +20,10 @@ void commit(analysis::Store& store, const Row& row);
 /// and the procedure goes on with the order of that. All must outlive the journal.
 [[nodiscard]] Journal journal_to(analysis::Store& store, const stimuli::Study& study,
                                  Procedure& procedure);
+
+/// The same for a store on a server, whose rows `spool` keeps while that is away. A session begins
+/// only while it is there, since its place in the order comes from there.
+[[nodiscard]] Journal journal_to(analysis::Store& store, const stimuli::Study& study,
+                                 Procedure& procedure, Spool& spool);
 
 }  // namespace obscura::app::kiosk

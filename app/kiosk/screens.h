@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/kiosk/pin.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/text_entry.h"
 #include "app/kiosk/window.h"
@@ -26,7 +28,15 @@ enum class Gender { kUnanswered, kFemale, kMale, kOwnWords, kRatherNotSay };
 /// Of the gender in own words, in characters.
 inline constexpr std::size_t kLongestOwnWords = 100;
 
-/// The form as it is being filled in.
+/// A field of the study's form as it is being filled in.
+struct FieldDraft {
+    TextEntry entry{stimuli::kLongestFieldText};
+    std::string chosen;  ///< empty: nothing
+    std::deque<bool> ticked;
+    bool to_fill = false;  ///< the keyboard is to go there
+};
+
+/// All that is filled in before the instructions, as it stands.
 struct FormDraft {
     /// What the keyboard is to fill in next.
     enum class ToFill { kNothing, kAge, kOwnWords, kConsent };
@@ -37,25 +47,66 @@ struct FormDraft {
     std::optional<bool> normal_vision;
     std::optional<bool> heard_of_purpose;
     bool consent = false;
+    std::vector<FieldDraft> fields;  ///< the study's
+    std::deque<bool> agreed;         ///< to the items of the consent
+    bool asked_for_consent = false;
     bool submitted = false;  ///< once; from then on complaints are shown
     ToFill to_fill = ToFill::kNothing;
 };
-[[nodiscard]] Form form_of(const FormDraft& draft);
-[[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft);
+[[nodiscard]] Form form_of(const FormDraft& draft, const stimuli::Study& study);
+/// `known_codes` are those that a new one may not be.
+[[nodiscard]] std::optional<Event> form_screen(const Fonts& fonts, const stimuli::Study& study,
+                                               FormDraft& draft,
+                                               const std::vector<std::string>& known_codes = {});
+/// The study's own questions on that page, and what is filled in.
+void draw_fields(const Fonts& fonts, const std::vector<stimuli::FormField>& fields,
+                 FormDraft& draft, const std::vector<std::string>& known_codes);
+[[nodiscard]] FieldAnswer answer_in(const stimuli::FormField& field, const FieldDraft& draft);
+
+[[nodiscard]] std::optional<Event> information_screen(const Fonts& fonts,
+                                                      const stimuli::Study& study);
+[[nodiscard]] std::optional<Event> consent_screen(const Fonts& fonts,
+                                                  const stimuli::Consent& consent,
+                                                  FormDraft& draft);
+/// Only the operator goes on with the code, by a key.
+[[nodiscard]] std::optional<Event> known_code_screen(const Fonts& fonts, const std::string& code);
 
 [[nodiscard]] std::optional<Event> instructions_screen(const Fonts& fonts,
                                                        const stimuli::Study& study);
 
-/// `next` is the pair whose button is enabled, from 0.
-[[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count);
+/// A list of all pairs, of which the next one's button is enabled, or that button alone.
+[[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, const Progress& at,
+                                                bool next_button = false);
 
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
-                                                   int pair, int count);
+                                                   const Progress& at);
+
+/// After a pair of practice whose answer was expected.
+[[nodiscard]] std::optional<Event> feedback_screen(const Fonts& fonts, bool was_expected);
+/// `count` pairs follow.
+[[nodiscard]] std::optional<Event> practice_over_screen(const Fonts& fonts, int count);
+/// Cannot be left for so many seconds more.
+[[nodiscard]] std::optional<Event> break_screen(const Fonts& fonts, const Progress& at,
+                                                double left_s);
 
 /// Only the operator leaves it, by a key. `saved_note` says that the answers are saved, and where.
 void thanks_screen(const Fonts& fonts, const stimuli::Study& study, const std::string& saved_note);
 
-[[nodiscard]] std::optional<Event> leave_screen(const Fonts& fonts, bool session_open);
+/// What the operator's page shows and what is filled in there.
+struct OperatorView {
+    enum class Page { kPin, kOverview, kSessions, kSure };
+
+    Page page = Page::kOverview;
+    bool session_open = false;          ///< leaving cuts it off
+    std::vector<std::string> lines;     ///< how the study and the machine stand
+    std::string note;                   ///< what came of what was pressed last
+    std::vector<std::string> sessions;  ///< that can be withdrawn
+    std::string chosen;                 ///< of them
+    TextEntry pin{kLongestPin, TextEntry::Takes::kHiddenDigits};
+    double wait_s = 0.0;  ///< before the next PIN can be tried
+};
+enum class OperatorAct { kStay, kLeave, kTryPin, kBackUp, kChoose, kAsk, kErase, kBack };
+[[nodiscard]] std::optional<OperatorAct> operator_screen(const Fonts& fonts, OperatorView& view);
 
 /// A session that was cut off, as the operator is asked about it.
 struct CutOffSession {

@@ -22,11 +22,12 @@ namespace {
 
 void require_same_images(const SessionPlan& plan, const std::vector<analysis::TrialRecord>& trials,
                          const std::vector<analysis::EventRecord>& events) {
-    for (std::size_t i = 0; i < trials.size() && i < plan.order.conditions.size(); ++i) {
-        const auto& pair = plan.images.at(static_cast<std::size_t>(plan.order.conditions[i]));
-        const std::size_t first = plan.order.b_first(i) ? 1 : 0;
-        if (trials[i].first_sha256 != pair[first].sha256 ||
-            trials[i].second_sha256 != pair[1 - first].sha256) {
+    for (int i = 0; i < static_cast<int>(trials.size()) && i < plan.pair_count(); ++i) {
+        const auto& pair = plan.images.at(plan.condition_of(i));
+        const std::size_t first = plan.b_first(i) ? 1 : 0;
+        const analysis::TrialRecord& trial = trials[static_cast<std::size_t>(i)];
+        if (trial.first_sha256 != pair[first].sha256 ||
+            trial.second_sha256 != pair[1 - first].sha256) {
             throw base::bad_input("the images {} and {} are not those that session {} showed",
                                   pair[0].file, pair[1].file, plan.session_id);
         }
@@ -41,6 +42,17 @@ void require_same_images(const SessionPlan& plan, const std::vector<analysis::Tr
 }
 
 }  // namespace
+
+std::size_t SessionPlan::condition_of(int pair) const {
+    if (pair < practice_count()) return order.conditions.size() + static_cast<std::size_t>(pair);
+    return static_cast<std::size_t>(
+        order.conditions.at(static_cast<std::size_t>(pair - practice_count())));
+}
+
+bool SessionPlan::b_first(int pair) const {
+    if (pair < practice_count()) return (pair % 2 != 0) != order.swapped;
+    return order.b_first(static_cast<std::size_t>(pair - practice_count()));
+}
 
 std::vector<std::array<StimulusImage, 2>> images_of(const stimuli::Study& study,
                                                     const stimuli::Manifest& manifest) {
@@ -80,7 +92,7 @@ SessionPlan plan_to_resume(const stimuli::Study& study, const stimuli::Manifest&
     }
     plan.images = images_of(study, manifest);
     plan.machine = {session.software, session.operating_system, session.gpu_renderer,
-                    session.display, session.refresh_hz};
+                    session.display,  session.refresh_hz,       session.timing};
     require_same_images(plan, trials, events);
     return plan;
 }

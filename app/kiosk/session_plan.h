@@ -20,6 +20,7 @@ struct Machine {
     std::string gpu_renderer;
     std::string display;      ///< monitor's name, resolution, refresh rate
     double refresh_hz = 0.0;  ///< 0: unknown
+    std::string timing = {};  ///< SessionRecord::timing
 };
 
 /// An image file of the study's folder, with the hash that the manifest gives it.
@@ -35,7 +36,19 @@ struct SessionPlan {
     analysis::Kind kind = analysis::Kind::kParticipant;
     stimuli::SessionOrder order;
     Machine machine;
+    std::string override_reason = {};                  ///< TrialRecord::override_reason
+    std::vector<std::string> known_codes = {};         ///< of those who took part before
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
+
+    // All pairs in order of showing, from 0: practice first, whose conditions are the study's last.
+    [[nodiscard]] int practice_count() const {
+        return static_cast<int>(images.size() - order.conditions.size());
+    }
+    [[nodiscard]] int pair_count() const { return static_cast<int>(images.size()); }
+    /// Index of a pair's condition.
+    [[nodiscard]] std::size_t condition_of(int pair) const;
+    /// Whether image B is the first of that pair; of practice every other one.
+    [[nodiscard]] bool b_first(int pair) const;
 };
 
 /// A and B of every condition. Throws bad input naming the image that the manifest lacks.
@@ -46,7 +59,7 @@ struct SessionPlan {
 [[nodiscard]] std::string digest_of(const std::vector<std::array<StimulusImage, 2>>& images);
 
 /// Name of the event that remembers digest_of() when a session begins.
-inline constexpr const char* kStimuliEvent = "stimuli digest";
+inline constexpr const char* kStimuliEvent = analysis::kStimuliDigestEvent;
 
 /// The plan of an open session, to continue it. Throws bad input that says why this cannot be: the
 /// study file, the order or an image is not what the session began with. `events` are those of the

@@ -18,13 +18,14 @@
 namespace obscura::app::kiosk {
 namespace {
 
-/// The second image is drawn, unseen, this long before it is due.
+/// What comes by itself is drawn, unseen, this long before it is due; a page takes longer.
 constexpr double kPrepare_s = 0.030;
+constexpr double kPreparePage_s = 0.150;
 constexpr double kImageWait_s = 0.5;
 
 [[nodiscard]] bool is_still(Screen screen) {
-    return screen == Screen::kFirstImage || screen == Screen::kGrey ||
-           screen == Screen::kSecondImage;
+    return screen == Screen::kFirstImage || screen == Screen::kInterval ||
+           screen == Screen::kSecondImage || screen == Screen::kBothImages;
 }
 
 /// The key that a study file calls so.
@@ -41,13 +42,15 @@ constexpr double kImageWait_s = 0.5;
 }
 
 [[nodiscard]] bool advances(const KeyPress& press, const stimuli::Study& study) {
-    return std::any_of(study.advance.begin(), study.advance.end(), [&](const std::string& name) {
-        const int key = key_named(name);
-        const bool on_pad = (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
-                            (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
-                             press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
-        return press.key == key || on_pad;
-    });
+    return std::any_of(study.presentation.advance.begin(), study.presentation.advance.end(),
+                       [&](const std::string& name) {
+                           const int key = key_named(name);
+                           const bool on_pad =
+                               (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
+                               (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
+                                press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
+                           return press.key == key || on_pad;
+                       });
 }
 
 /// What a key means on that screen, beside what its page makes of it.
@@ -55,6 +58,7 @@ constexpr double kImageWait_s = 0.5;
                                               const stimuli::Study& study) {
     if (is_operators_key(press)) return LeaveRequested{};
     if (screen == Screen::kThanks && is_operators_key(press, 'n')) return NextParticipant{};
+    if (screen == Screen::kKnownCode && is_operators_key(press, 'o')) return CodeConfirmed{};
     if (is_still(screen)) {
         if (advances(press, study)) return SpacePressed{};
         return std::nullopt;
@@ -200,11 +204,15 @@ bool SessionRunner::load_pair() {
 }
 
 void SessionRunner::show_first_frame() {
+    if (procedure_.screen() == Screen::kConfirmLeave && opened_ != procedure_.request()) {
+        opened_ = procedure_.request();
+        operators_.open(procedure_.session_open(), procedure_.plan().session_id);
+    }
     if (is_still(procedure_.screen())) {
         stage_.window.hide_pointer();
-        draw_still();
+        draw_still(procedure_.screen());
     } else {
-        draw_first_frame(stage_.ui, [this] { draw_page(); });
+        draw_first_frame(stage_.ui, [this] { draw_page(procedure_.screen()); });
     }
     finish_presenting(asked_s_);
 }
@@ -224,8 +232,8 @@ void SessionRunner::finish_presenting(double asked_s) {
 }
 
 void SessionRunner::go_on() {
-    if (procedure_.screen() == Screen::kGrey) {
-        go_on_with_grey();
+    if (procedure_.next_due_s()) {
+        go_on_until_due();
     } else if (is_still(procedure_.screen())) {
         go_on_with_image();
     } else {
@@ -236,8 +244,10 @@ void SessionRunner::go_on() {
 void SessionRunner::go_on_with_page() {
     pressed_.reset();
     draw_next_frame(
-        stage_, [this] { draw_page(); }, idle_frames_);
+        stage_, [this] { draw_page(procedure_.screen()); }, idle_frames_);
     forward_presses();
+    // What covered the page is gone: it is shown anew.
+    if (procedure_.screen() == Screen::kConfirmLeave && operators_.act()) presented_ = 0;
     if (pressed_) {
         // A button of the page is pressed when the mouse lets go of it.
         const auto& release = stage_.ui.input().release;
@@ -252,74 +262,103 @@ void SessionRunner::go_on_with_page() {
 void SessionRunner::go_on_with_image() {
     stage_.window.wait_for_events(kImageWait_s);
     forward_presses();
-    if (procedure_.request() == presented_ && stage_.window.take_damage()) {
-        draw_still();
-        stage_.window.present();
-    }
+    mend_still();
 }
 
-void SessionRunner::go_on_with_grey() {
-    const double due_s = *procedure_.second_image_due_s();
+void SessionRunner::mend_still() {
+    if (procedure_.request() != presented_ || !stage_.window.take_damage()) return;
+    draw_still(procedure_.screen());
+    stage_.window.present();
+}
+
+void SessionRunner::go_on_until_due() {
+    const double due_s = *procedure_.next_due_s();
+    const Screen next = procedure_.next_in_pair();
     const double hand_over_s = due_s - stage_.pace.lead_s();
-    const double left_s = hand_over_s - kPrepare_s - monotonic_s();
+    const double left_s =
+        hand_over_s - (is_still(next) ? kPrepare_s : kPreparePage_s) - monotonic_s();
     if (left_s > 0.0) {
         stage_.window.wait_for_events(left_s);
         forward_presses();
-        if (procedure_.request() == presented_ && stage_.window.take_damage()) {
-            draw_still();
-            stage_.window.present();
-        }
+        mend_still();
         return;
     }
-    loaded_->second->draw(stage_.window.size(), stage_.study.grey_level);
+    if (is_still(next)) {
+        draw_still(next);
+    } else {
+        draw_first_frame(stage_.ui, [&] { draw_page(next); });
+    }
     glFinish();
     wait_until(hand_over_s);
     feed(Tick{std::max(due_s, monotonic_s() + stage_.pace.lead_s())}, moment_now());
     finish_presenting(due_s);
 }
 
-void SessionRunner::draw_still() {
+void SessionRunner::draw_still(Screen screen) {
     const Extent frame = stage_.window.size();
-    const int grey = stage_.study.grey_level;
-    if (procedure_.screen() == Screen::kGrey) {
-        draw_grey(frame, grey);
-    } else if (procedure_.screen() == Screen::kFirstImage) {
-        loaded_->first->draw(frame, grey);
+    const int grey = stage_.study.presentation.grey_level;
+    if (screen == Screen::kInterval) {
+        interval_.draw(frame);
+    } else if (screen == Screen::kBothImages) {
+        const bool mirrored = stage_.study.words.right_to_left();
+        draw_beside(mirrored ? *loaded_->second : *loaded_->first,
+                    mirrored ? *loaded_->first : *loaded_->second, frame, grey);
     } else {
-        loaded_->second->draw(frame, grey);
+        (screen == Screen::kFirstImage ? loaded_->first : loaded_->second)->draw(frame, grey);
     }
 }
 
-void SessionRunner::draw_page() {
+void SessionRunner::draw_page(Screen screen) {
     const Fonts& fonts = stage_.ui.fonts();
-    const int pair = procedure_.pair();
-    const int count = procedure_.pair_count();
+    const Progress at = procedure_.progress();
     std::optional<Event> pressed;
-    switch (procedure_.screen()) {
+    switch (screen) {
         case Screen::kStart:
             pressed = start_screen(fonts);
             break;
         case Screen::kForm:
-            pressed = form_screen(fonts, form_);
+            pressed = form_screen(fonts, stage_.study, form_, procedure_.plan().known_codes);
+            break;
+        case Screen::kInformation:
+            pressed = information_screen(fonts, stage_.study);
+            break;
+        case Screen::kConsent:
+            pressed = consent_screen(fonts, *stage_.study.consent, form_);
+            break;
+        case Screen::kKnownCode:
+            pressed = known_code_screen(fonts, procedure_.known_code());
             break;
         case Screen::kInstructions:
             pressed = instructions_screen(fonts, stage_.study);
             break;
         case Screen::kPairs:
-            pressed = pairs_screen(fonts, pair, count);
+            pressed = pairs_screen(fonts, at, stage_.study.has_next_button());
             break;
         case Screen::kQuestion:
-            pressed = question_screen(fonts, stage_.study, pair, count);
+            pressed = question_screen(fonts, stage_.study, at);
+            break;
+        case Screen::kFeedback:
+            pressed = feedback_screen(fonts, procedure_.was_expected());
+            break;
+        case Screen::kPracticeOver:
+            pressed = practice_over_screen(fonts, at.count);
+            break;
+        case Screen::kBreak:
+            pressed =
+                break_screen(fonts, at,
+                             std::min<double>(stage_.study.presentation.break_min_s,
+                                              procedure_.takes_presses_from_s() - monotonic_s()));
             break;
         case Screen::kThanks:
             thanks_screen(fonts, stage_.study, stage_.saved_note);
             break;
         case Screen::kConfirmLeave:
-            pressed = leave_screen(fonts, procedure_.session_open());
+            pressed = operators_.draw();
             break;
         case Screen::kFirstImage:
-        case Screen::kGrey:
+        case Screen::kInterval:
         case Screen::kSecondImage:
+        case Screen::kBothImages:
         case Screen::kDone:
         case Screen::kLeft:
             break;
@@ -336,7 +375,7 @@ void SessionRunner::forward_presses() {
         }
     }
     for (const double click_s : input.take_clicks()) {
-        if (stage_.study.pointer && is_still(procedure_.screen())) {
+        if (stage_.study.presentation.pointer && is_still(procedure_.screen())) {
             feed(SpacePressed{}, moment_at(click_s));
         }
     }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/kiosk/journal.h"
+#include "app/kiosk/operators_page.h"
 #include "app/kiosk/procedure.h"
 #include "app/kiosk/stage.h"
 #include "app/kiosk/stimulus_view.h"
@@ -19,8 +20,12 @@ class SessionRunner {
     enum class End { kDone, kLeft };
 
     /// All must outlive it.
-    SessionRunner(Stage& stage, Procedure& procedure, Journal& journal)
-        : stage_(stage), procedure_(procedure), journal_(journal) {}
+    SessionRunner(Stage& stage, Procedure& procedure, Journal& journal, OperatorsPage& operators)
+        : stage_(stage),
+          procedure_(procedure),
+          journal_(journal),
+          operators_(operators),
+          interval_(stage.study) {}
 
     /// Returns when the participant is done or the operator left.
     [[nodiscard]] End run();
@@ -48,10 +53,13 @@ class SessionRunner {
     void go_on();
     void go_on_with_page();
     void go_on_with_image();
-    void go_on_with_grey();
-    void draw_still();
-    /// The procedure's page; keeps what was pressed in `pressed_`.
-    void draw_page();
+    /// A screen that goes by itself.
+    void go_on_until_due();
+    /// Draws it again where the system lost it.
+    void mend_still();
+    void draw_still(Screen screen);
+    /// A page; keeps what was pressed in `pressed_`.
+    void draw_page(Screen screen);
     /// To the procedure: keys that its screen knows, clicks on an image.
     void forward_presses();
     void feed(const Event& event, const Moment& moment);
@@ -59,7 +67,10 @@ class SessionRunner {
     Stage& stage_;
     Procedure& procedure_;
     Journal& journal_;
+    OperatorsPage& operators_;
+    int opened_ = 0;  ///< Procedure::request() for which the operator's page was opened
     FormDraft form_;
+    IntervalView interval_;
     std::optional<LoadedPair> loaded_;
     std::optional<Event> pressed_;
     int presented_ = 0;  ///< Procedure::request() of what is visible

@@ -45,6 +45,40 @@ constexpr double kShareOfWomen = 10.0 / 36.0;
             .consent = true};
 }
 
+/// Something that each field takes.
+[[nodiscard]] std::vector<FieldAnswer> draw_fields(const std::vector<stimuli::FormField>& fields,
+                                                   base::Random& random) {
+    std::vector<FieldAnswer> answers;
+    for (const stimuli::FormField& field : fields) {
+        FieldAnswer& answer = answers.emplace_back();
+        const double low = field.min.value_or(field.max.value_or(100.0) - 100.0);
+        const double high = field.max.value_or(low + 100.0);
+        switch (field.kind) {
+            case stimuli::FieldKind::kNumber:
+            case stimuli::FieldKind::kScale: {
+                // Whole where the range has a whole number.
+                const double drawn = low + random.uniform() * (high - low);
+                const double whole = std::round(drawn);
+                answer.text = fmt::format("{}", whole >= low && whole <= high ? whole : drawn);
+                break;
+            }
+            case stimuli::FieldKind::kChoice:
+                answer.text = field.choices[random.below(field.choices.size())];
+                break;
+            case stimuli::FieldKind::kChoices:
+                answer.chosen = {field.choices[random.below(field.choices.size())]};
+                break;
+            case stimuli::FieldKind::kText:
+                answer.text = "simulated";
+                break;
+            case stimuli::FieldKind::kCode:
+                answer.text = fmt::format("sim-{:08x}", random.below(std::uint64_t{1} << 32U));
+                break;
+        }
+    }
+    return answers;
+}
+
 /// What an observer does on a screen, and how long it takes to.
 struct Action {
     double after_s = 0.0;
@@ -56,23 +90,36 @@ struct Action {
     switch (procedure.screen()) {
         case Screen::kStart:
             return {draw(random, kPage), StartPressed{}};
-        case Screen::kForm:
-            return {draw(random, kForm), FormSubmitted{draw_form(random)}};
+        case Screen::kInformation:
+            return {draw(random, kReading), InformationRead{}};
+        case Screen::kConsent:
+            return {draw(random, kForm), ConsentGiven{}};
+        case Screen::kForm: {
+            const double after_s = draw(random, kForm);
+            Form form = draw_form(random);
+            form.fields = draw_fields(procedure.fields(), random);
+            return {after_s, FormSubmitted{std::move(form)}};
+        }
         case Screen::kInstructions:
             return {draw(random, kReading), InstructionsRead{}};
         case Screen::kPairs:
-            return {draw(random, kPage), PairPressed{procedure.pair()}};
+            return {draw(random, kPage), PairPressed{procedure.progress().pair}};
         case Screen::kFirstImage:
         case Screen::kSecondImage:
+        case Screen::kBothImages:
             return {draw(random, kLooking), SpacePressed{}};
         case Screen::kQuestion: {
-            const stimuli::SessionOrder& order = procedure.plan().order;
-            const auto condition = static_cast<std::size_t>(order.conditions.at(procedure.pair()));
+            const SessionPlan& plan = procedure.plan();
+            const std::size_t condition = plan.condition_of(procedure.pair());
             const double after_s = draw(random, kAnswering);
-            const bool b_first = order.b_first(static_cast<std::size_t>(procedure.pair()));
+            const bool b_first = plan.b_first(procedure.pair());
             const bool b = observer.chooses_b(condition, !b_first);
             return {after_s, Answered{b == b_first}};
         }
+        case Screen::kFeedback:
+        case Screen::kPracticeOver:
+        case Screen::kBreak:
+            return {draw(random, kPage), WentOn{}};
         default:
             return {draw(random, kPage), NextParticipant{}};
     }
@@ -108,7 +155,7 @@ void simulate_observer(Procedure& procedure, const ChoiceModel& choices, base::R
     while (procedure.screen() != Screen::kDone) {
         clock.pass_to_refresh(0.0);
         feed(procedure, journal, ScreenPresented{}, clock.now());
-        if (const auto due_s = procedure.second_image_due_s()) {
+        if (const auto due_s = procedure.next_due_s()) {
             clock.pass_to_refresh(*due_s);
             feed(procedure, journal, Tick{clock.now().time_s}, clock.now());
             continue;

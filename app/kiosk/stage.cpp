@@ -31,7 +31,8 @@ template <typename Choice>
     stage.window.poll_events();
     Input& input = stage.window.input();
     const auto take_input = [&] {
-        input.open_at(monotonic_s() + stage.study.input_delay_ms / kMillisecondsPerSecond);
+        input.open_at(monotonic_s() +
+                      stage.study.presentation.input_delay_ms / kMillisecondsPerSecond);
     };
     input.forget();
     take_input();

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/random.h"
 #include "stimuli/png.h"
 
 namespace obscura::app::kiosk {
@@ -24,6 +25,9 @@ void require_no_error(Extent extent) {
                         extent.width, extent.height, error,
                         error == GL_OUT_OF_MEMORY ? " (out of memory)" : "");
 }
+
+/// Grey between two images that stand side by side.
+[[nodiscard]] int gap_between(Extent image) { return std::max(8, image.width / 40); }
 
 }  // namespace
 
@@ -72,11 +76,78 @@ StimulusTexture::StimulusTexture(const StimulusPixels& pixels)
 
 void StimulusTexture::draw(Extent frame, int grey_level) const {
     draw_grey(frame, grey_level);
-    const int left = (frame.width - extent_.width) / 2;
-    const int bottom = (frame.height - extent_.height) / 2;
+    copy_to((frame.width - extent_.width) / 2, (frame.height - extent_.height) / 2);
+}
+
+void StimulusTexture::copy_to(int left, int bottom) const {
     glBlitNamedFramebuffer(framebuffer_.name(), 0, 0, 0, extent_.width, extent_.height, left,
                            bottom, left + extent_.width, bottom + extent_.height,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Extent room_beside(Extent image) { return {2 * image.width + gap_between(image), image.height}; }
+
+void draw_beside(const StimulusTexture& left, const StimulusTexture& right, Extent frame,
+                 int grey_level) {
+    const Extent image = left.extent();
+    const Extent room = room_beside(image);
+    const int from = (frame.width - room.width) / 2;
+    const int bottom = (frame.height - room.height) / 2;
+    draw_grey(frame, grey_level);
+    left.copy_to(from, bottom);
+    right.copy_to(from + image.width + gap_between(image), bottom);
+}
+
+StimulusPixels noise_of(const stimuli::Study& study) {
+    constexpr int kSquare = 8;
+    const Extent extent{study.width, study.height};
+    const int columns = (extent.width + kSquare - 1) / kSquare;
+    const int rows = (extent.height + kSquare - 1) / kSquare;
+    base::Random random(study.seed);
+    std::vector<std::uint8_t> tones(static_cast<std::size_t>(columns) *
+                                    static_cast<std::size_t>(rows));
+    for (std::uint8_t& tone : tones) tone = static_cast<std::uint8_t>(random.below(256));
+    StimulusPixels pixels{extent, {}};
+    for (int y = 0; y < extent.height; ++y) {
+        for (int x = 0; x < extent.width; ++x) {
+            const auto at = static_cast<std::size_t>(y / kSquare * columns + x / kSquare);
+            pixels.rgba.insert(pixels.rgba.end(), {tones[at], tones[at], tones[at], 255});
+        }
+    }
+    return pixels;
+}
+
+IntervalView::IntervalView(const stimuli::Study& study) : study_(study) {
+    if (study.presentation.interval != stimuli::Interval::kMask) return;
+    mask_ = std::make_unique<StimulusTexture>(noise_of(study));
+}
+
+void IntervalView::draw(Extent frame) const {
+    const int grey = study_.presentation.grey_level;
+    if (mask_) {
+        mask_->draw(frame, grey);
+        return;
+    }
+    draw_grey(frame, grey);
+    if (study_.presentation.interval == stimuli::Interval::kFixation) draw_cross(frame);
+}
+
+/// Black or white, whichever is farther from the grey.
+void IntervalView::draw_cross(Extent frame) const {
+    constexpr int kArm = 60;  // of the image's height
+    constexpr int kLine = 480;
+    const int arm = std::max(4, study_.height / kArm);
+    const int line = std::max(2, study_.height / kLine);
+    const float tone = study_.presentation.grey_level < 128 ? 1.0F : 0.0F;
+    glEnable(GL_SCISSOR_TEST);
+    glClearColor(tone, tone, tone, 1.0F);
+    const auto fill = [&](int width, int height) {
+        glScissor((frame.width - width) / 2, (frame.height - height) / 2, width, height);
+        glClear(GL_COLOR_BUFFER_BIT);
+    };
+    fill(2 * arm + line, line);
+    fill(line, 2 * arm + line);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void draw_grey(Extent frame, int grey_level) {

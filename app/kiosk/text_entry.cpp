@@ -28,7 +28,7 @@ std::string utf8_of(char32_t c) {
 void TextEntry::type(char32_t character) {
     if (!is_printable(character)) return;
     const bool digit = character >= U'0' && character <= U'9';
-    if (takes_ == Takes::kDigits && !digit) {
+    if (takes_ != Takes::kText && !digit) {
         note_ = Note::kOnlyDigits;
     } else if (text_.size() >= most_) {
         note_ = Note::kFull;

@@ -10,7 +10,7 @@ namespace obscura::app::kiosk {
 /// One line of text as it is being typed: any character of Unicode, kept as it came.
 class TextEntry {
   public:
-    enum class Takes { kText, kDigits };
+    enum class Takes { kText, kDigits, kHiddenDigits };
     /// What was not taken of what was typed last.
     enum class Note { kNone, kOnlyDigits, kFull };
 
@@ -33,6 +33,8 @@ class TextEntry {
     [[nodiscard]] std::size_t caret() const { return caret_; }
     [[nodiscard]] Note note() const { return note_; }
     [[nodiscard]] std::size_t most() const { return most_; }
+    /// Whether nobody is to read it.
+    [[nodiscard]] bool hidden() const { return takes_ == Takes::kHiddenDigits; }
 
   private:
     std::size_t most_;

@@ -21,8 +21,14 @@ constexpr char32_t kBox = U'\u25A1';
 
 [[nodiscard]] Typesetter& typesetter() { return *page_state().tools.typesetter; }
 
-/// The first `count` characters as they are shown: those without a glyph as a box.
+/// The first `count` characters as they are shown: those without a glyph as a box, hidden ones as
+/// dots.
 [[nodiscard]] std::string shown_text(const TextEntry& entry, std::size_t count) {
+    if (entry.hidden()) {
+        std::string dots;
+        for (std::size_t i = 0; i < std::min(count, entry.text().size()); ++i) dots += "\u2022";
+        return dots;
+    }
     const std::set<char32_t> missing = typesetter().characters_without_glyph(entry.utf8());
     std::string shown;
     for (const char32_t character : entry.text().substr(0, count)) {

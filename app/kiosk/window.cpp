@@ -158,6 +158,7 @@ void Window::open(const WindowOptions& options) {
     glfwSwapInterval(1);
     set_callbacks();
     cover_ = std::make_unique<CoverWatch>(window_);
+    swap_clock_ = std::make_unique<SwapClock>(window_);
     glfwFocusWindow(window_);
 }
 
@@ -311,8 +312,7 @@ void Window::hide_pointer() { glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR
 
 double Window::present() {
     glfwSwapBuffers(window_);
-    glFinish();
-    return monotonic_s();
+    return swap_clock_->shown_s();
 }
 
 }  // namespace obscura::app::kiosk

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "app/kiosk/input.h"
-
 #include "app/kiosk/cover_watch.h"
+#include "app/kiosk/input.h"
+#include "app/kiosk/swap_clock.h"
 
 struct GLFWwindow;
 struct GLFWmonitor;
@@ -79,6 +79,8 @@ class Window {
 
     /// Shows what was drawn and waits until it is shown; gives the monotonic time.
     double present();
+    /// Of present(), as SwapClock names it.
+    [[nodiscard]] const char* time_source() const { return swap_clock_->source(); }
 
   private:
     struct Callbacks;
@@ -108,6 +110,7 @@ class Window {
     Place wanted_;         ///< of the window; its size only where it is windowed
     Extent monitor_size_;  ///< as it was at first
     std::unique_ptr<CoverWatch> cover_;
+    std::unique_ptr<SwapClock> swap_clock_;
     bool focused_ = true;
     bool iconified_ = false;
     bool in_place_ = true;

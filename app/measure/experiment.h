@@ -27,7 +27,7 @@ struct Finding {
     std::string because;  ///< the figures
 };
 
-/// A paper's experiment, run on one view of each scene of the study.
+/// A paper's experiment, or `front` of our own, run on one view of each scene of the study.
 struct Experiment {
     struct Setting {
         std::string name;
@@ -38,7 +38,7 @@ struct Experiment {
     std::string name;  ///< as on the command line: sunet-5.3
     std::string title;
     std::vector<Setting> settings;
-    /// Of the outcomes, one for each setting in its order.
+    /// Of the outcomes, one for each setting in its order; nullptr: no paper concludes anything.
     std::vector<Finding> (*judge)(const std::vector<Outcome>& outcomes) = nullptr;
     /// What cannot be judged here, in a sentence; empty: nothing.
     std::string silent_on;

@@ -72,12 +72,14 @@ void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
     for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
         outcomes.push_back(
             mean_of(experiment.settings[i].name, report.rows, i, experiment.settings.size()));
-        report.findings.push_back(in_a_sentence(outcomes.back()));
+        if (!experiment.overview) report.findings.push_back(in_a_sentence(outcomes.back()));
     }
     if (experiment.overview) {
         report.overview = overview_of(report.rows, experiment.settings);
     }
-    for (const Finding& finding : experiment.judge(outcomes)) {
+    const std::vector<Finding> findings =
+        experiment.judge != nullptr ? experiment.judge(outcomes) : std::vector<Finding>{};
+    for (const Finding& finding : findings) {
         report.findings.push_back(fmt::format("The paper: {}. Here {}: {}.", finding.conclusion,
                                               finding.agrees ? "too" : "not", finding.because));
     }

@@ -98,6 +98,7 @@ TrialRecord trial_of(const std::map<std::string, std::string>& row) {
     trial.answered_utc = row.at("answered_utc");
     trial.expected = row.at("expected").empty() ? '\0' : row.at("expected").at(0);
     trial.repeats = row.at("repeats");
+    trial.override_reason = row.at("override_reason");
     return trial;
 }
 
@@ -124,6 +125,7 @@ SessionRecord session_of(const std::map<std::string, std::string>& row) {
     session.display = row.at("display");
     session.refresh_hz = number(row.at("refresh_hz"));
     session.exclusion = row.at("exclusion");
+    session.timing = row.at("timing");
     return session;
 }
 
@@ -152,6 +154,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
     session.seed = 9'223'372'036'854'775'807ULL;
     session.display = "Eizo, \"24\" tommer\"";
     session.refresh_hz = 59.94005994005994;
+    session.timing = R"({"source":"GLX_OML_sync_control","waits":true})";
     auto trial = tests::a_trial(0, 0);
     trial.scene = "gårdhave, nr. 1";
     trial.first_shown = 'B';
@@ -165,6 +168,7 @@ TEST_F(ExportTest, EveryFieldReadsBackFromTheTextBitForBit) {
     trial.grey_ms_measured = 1e12;
     trial.dropped_frames = 2;
     trial.hidden_ms = 1234.5678901234567;
+    trial.override_reason = "the \"other\" monitor, again";
     Store store = open();
     store.begin_session(participant, session);
     store.add_trial(trial);

@@ -11,6 +11,7 @@
 #include "analysis/presentation/json_report.h"
 #include "analysis/published_votes.h"
 #include "analysis/trials_file.h"
+#include "renderer/base/error.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/analysis/trials_text.h"
 

@@ -38,7 +38,8 @@ std::map<std::string, std::string> paper_of(const ReportInput& input) {
 ReportInput published_input() {
     ReportInput input;
     input.analysis = analyse(published_votes());
-    input.study = {"Title", "Which image looked the most realistic?", 2000.0, "latin-square"};
+    input.study = {"Title", "Which image looked the most realistic?",
+                   "one after the other, with a grey screen for 2 s between them", "latin-square"};
     input.software = "obscura 1.2";
     return input;
 }

@@ -78,6 +78,15 @@ TEST(Hypotheses, AreReadWithWhatTheyTakeAndWrittenAsThePlanThatSessionsCarry) {
     EXPECT_EQ(plan.hypotheses[0].margin, 0.1);
 }
 
+TEST(Hypotheses, ClaimAccuracyOnlyWhereTheySaySoAndTheBuiltInOnesThatDo) {
+    EXPECT_FALSE(read_study(small_with(kFamily), test_catalogue()).study.hypotheses[0].accuracy);
+    std::string claims;
+    for (const Hypothesis& own : read_study(builtin_text(), test_catalogue()).study.hypotheses) {
+        if (own.accuracy) claims += own.id + ' ';
+    }
+    EXPECT_EQ(claims, "H2 H2-IV ");
+}
+
 TEST(Hypotheses, AStudyWithoutAnyFixesNothing) {
     const StudyReading reading = read_study(std::string(kSmallStudy), test_catalogue());
     EXPECT_EQ(reading.study.plan_json(), "");
@@ -113,6 +122,8 @@ TEST(Hypotheses, WhatIsWrongInThemIsSaidWithItsLineAndWhatIsAllowed) {
         {"margin = 0.1", "margin = nan", "margin: "},
         {"kind = \"preference\"", "kind = \"preferred\"",
          "\"preferred\" is unknown, allowed are preference, interaction"},
+        {"role = \"secondary\"", "role = \"secondary\"\naccuracy = true",
+         "accuracy: is not allowed for kind interaction"},
         {"kind = \"preference\"", "kind = \"interaction\"",
          "conditions: is not allowed for kind interaction, which takes pairs"},
         {"statement = \"It looks better.\"", "", "statement"},

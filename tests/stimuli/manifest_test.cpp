@@ -84,6 +84,10 @@ class Stimuli : public testing::Test {
 
 TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
     manifest_.images[1].variant.parameters = {{"radius_m", 0.1}, {"power", 1.0 / 3.0}};
+    manifest_.images[1].mean_luminance = 0.21;
+    manifest_.images[1].contrast = 1.0 / 7.0;
+    manifest_.images[1].exposure_factor = 1.0625;
+    manifest_.images[1].accuracy = Accuracy{0.039, -0.01, 0.2, 7321};
     save_manifest(folder_ / "manifest.json", manifest_);
     const Manifest back = load_manifest(folder_ / "manifest.json");
     EXPECT_EQ(back.study, manifest_.study);
@@ -93,6 +97,8 @@ TEST_F(Stimuli, AManifestComesBackExactlyAsItWasSaved) {
     for (std::size_t i = 0; i < 4; ++i) {
         const ManifestImage& x = back.images[i];
         const ManifestImage& y = manifest_.images[i];
+        EXPECT_EQ(std::tie(x.mean_luminance, x.contrast, x.exposure_factor, x.accuracy),
+                  std::tie(y.mean_luminance, y.contrast, y.exposure_factor, y.accuracy));
         EXPECT_EQ(
             std::tie(x.file, x.sha256, x.condition, x.side, x.scene, x.source, x.camera, x.validity,
                      x.variant, x.width, x.height, x.passes, x.milliseconds, x.inputs_sha256),

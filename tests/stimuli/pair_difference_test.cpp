@@ -42,12 +42,23 @@ TEST(ImageDifference, IsThatOfCielabUnderD65) {
     EXPECT_NEAR(delta_e({0, 0, 255}, {0, 255, 0}), 258.69, 0.2);
 }
 
-TEST(MeanLuminance, IsThatOfSrgbAsAShareOfWhite) {
-    EXPECT_NEAR(mean_luminance(plain(3, 2, {255, 255, 255})), 1.0, 1e-6);
-    EXPECT_NEAR(mean_luminance(plain(3, 2, {0, 255, 0})), 0.7152, 1e-6);
-    EXPECT_NEAR(mean_luminance(plain(1, 1, {188, 188, 188})), 0.5029, 1e-4);  // IEC 61966-2-1
-    EXPECT_NEAR(mean_luminance(with_pixels(plain(2, 2, {0, 0, 0}), 1, {255, 255, 255})), 0.25,
+TEST(Brightness, HasTheMeanLuminanceOfSrgbAsAShareOfWhite) {
+    EXPECT_NEAR(brightness_of(plain(3, 2, {255, 255, 255})).mean, 1.0, 1e-6);
+    EXPECT_NEAR(brightness_of(plain(3, 2, {0, 255, 0})).mean, 0.7152, 1e-6);
+    EXPECT_NEAR(brightness_of(plain(1, 1, {188, 188, 188})).mean, 0.5029, 1e-4);  // IEC 61966-2-1
+    EXPECT_NEAR(brightness_of(with_pixels(plain(2, 2, {0, 0, 0}), 1, {255, 255, 255})).mean, 0.25,
                 1e-6);
+}
+
+TEST(Brightness, HasTheContrastOfLuminanceWhateverTheExposure) {
+    EXPECT_NEAR(brightness_of(plain(3, 2, {90, 120, 30})).contrast, 0.0, 1e-3);
+    EXPECT_EQ(brightness_of(plain(3, 2, {0, 0, 0})).contrast, 0.0);
+    // One white pixel of four: deviation sqrt(1/4 - 1/16), mean 1/4.
+    EXPECT_NEAR(brightness_of(with_pixels(plain(2, 2, {0, 0, 0}), 1, {255, 255, 255})).contrast,
+                std::sqrt(3.0), 1e-5);
+    // 137 has a quarter of white's luminance (0.2502).
+    EXPECT_NEAR(brightness_of(with_pixels(plain(2, 2, {0, 0, 0}), 1, {137, 137, 137})).contrast,
+                std::sqrt(3.0), 1e-5);
 }
 
 TEST(ImageDifference, OfACodeValueIsBelowWhatIsNoticedWhereverItLies) {

@@ -49,8 +49,8 @@ TEST(BuiltinStudy, HasTheProcedureOfTheThesis) {
     EXPECT_EQ(study.question, "Which image looked the most realistic?");
     EXPECT_EQ(study.width, 1280);
     EXPECT_EQ(study.height, 720);
-    EXPECT_EQ(study.grey_ms, 2000);
-    EXPECT_EQ(study.grey_level, 128);
+    EXPECT_EQ(study.presentation.grey_ms, 2000);
+    EXPECT_EQ(study.presentation.grey_level, 128);
     EXPECT_EQ(study.order, OrderKind::kLatinSquare);
     EXPECT_EQ(study.seed, 20100501U);
     EXPECT_NE(study.instructions, "");
@@ -75,8 +75,8 @@ TEST(Study, OmittedKeysTakeTheirDocumentedValues) {
     const Study& study = reading.study;
     EXPECT_EQ(study.width, 1280);
     EXPECT_EQ(study.height, 720);
-    EXPECT_EQ(study.grey_ms, 2000);
-    EXPECT_EQ(study.grey_level, 128);
+    EXPECT_EQ(study.presentation.grey_ms, 2000);
+    EXPECT_EQ(study.presentation.grey_level, 128);
     EXPECT_EQ(study.thanks, "");
     const Condition& one = *study.find_condition("one");
     EXPECT_EQ(one.hypothesis, "");

@@ -55,7 +55,7 @@ TEST(KioskWords, TranslationsNameTheSameKeysAsTheEnglish) {
         const Words words(language);
         EXPECT_THAT(words("operators_key"), HasSubstr("Ctrl+Shift+Q")) << language;
         EXPECT_THAT(words("thanks_keys"), HasSubstr("Ctrl+Shift+N")) << language;
-        EXPECT_THAT(words("leave_keys"), HasSubstr("L")) << language;
+        EXPECT_THAT(words("op_keys"), HasSubstr("L")) << language;
         EXPECT_THAT(words("abandon_keys"), HasSubstr("C")) << language;
         EXPECT_THAT(words("question_hint"), testing::AllOf(HasSubstr("1"), HasSubstr("2")));
     }

@@ -87,8 +87,7 @@ void gender_field(const Fonts& fonts, FormDraft& draft) {
     notes_on(fonts, draft.own_words);
 }
 
-void questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
-    heading(fonts, words()("about_you"));
+void kiosks_questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     age_field(fonts, draft, problems);
     gap(0.2F);
     gender_field(fonts, draft);
@@ -97,16 +96,39 @@ void questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problem
     gap(0.2F);
     yes_no("purpose", words()("heard_of"), draft.heard_of_purpose);
     gap(0.2F);
+}
+
+void consent_tick(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     focus_if_wanted(draft, FormDraft::ToFill::kConsent);
     tick(words()("consent"), draft.consent);
     hint(fonts, words()("consent_hint"));
     if (draft.submitted && problems.consent) complaint(words()("consent_problem"));
 }
 
+/// Moves the keyboard to the first that is still to be filled in.
+void go_to_problem(const FormProblems& left, const stimuli::Study& study, FormDraft& draft) {
+    if (left.fields) {
+        for (std::size_t i = 0; i < draft.fields.size(); ++i) {
+            const FieldAnswer answer = answer_in(study.form[i], draft.fields[i]);
+            if (problem_of(study.form[i], answer) == FieldProblem::kNone) continue;
+            draft.fields[i].to_fill = true;
+            return;
+        }
+    }
+    draft.to_fill = left.age ? FormDraft::ToFill::kAge : FormDraft::ToFill::kConsent;
+}
+
 }  // namespace
 
-Form form_of(const FormDraft& draft) {
+Form form_of(const FormDraft& draft, const stimuli::Study& study) {
     Form form;
+    form.consent = draft.consent;
+    if (!study.form.empty()) {
+        for (std::size_t i = 0; i < study.form.size() && i < draft.fields.size(); ++i) {
+            form.fields.push_back(answer_in(study.form[i], draft.fields[i]));
+        }
+        return form;
+    }
     form.age_years = whole_number(draft.age.utf8());
     if (draft.gender == Gender::kFemale) form.gender = "female";
     if (draft.gender == Gender::kMale) form.gender = "male";
@@ -114,24 +136,33 @@ Form form_of(const FormDraft& draft) {
     if (draft.gender == Gender::kRatherNotSay) form.gender = kRatherNotSayStored;
     form.normal_vision = draft.normal_vision;
     if (draft.heard_of_purpose) form.naive = !*draft.heard_of_purpose;
-    form.consent = draft.consent;
     return form;
 }
 
-std::optional<Event> form_screen(const Fonts& fonts, FormDraft& draft) {
+std::optional<Event> form_screen(const Fonts& fonts, const stimuli::Study& study, FormDraft& draft,
+                                 const std::vector<std::string>& known_codes) {
     std::optional<Event> event;
-    const FormProblems problems = problems_of(form_of(draft));
+    const FormProblems problems = problems_of(form_of(draft, study), study);
     card(
-        "##form", 40.0F, [&] { questions(fonts, draft, problems); },
+        "##form", 40.0F,
+        [&] {
+            heading(fonts, words()("about_you"));
+            if (study.form.empty()) {
+                kiosks_questions(fonts, draft, problems);
+            } else {
+                draw_fields(fonts, study.form, draft, known_codes);
+            }
+            if (!study.consent) consent_tick(fonts, draft, problems);
+        },
         [&] {
             if (!primary_button(words()("continue"))) return;
             draft.submitted = true;
-            const Form form = form_of(draft);
-            const FormProblems left = problems_of(form);
+            const Form form = form_of(draft, study);
+            const FormProblems left = problems_of(form, study);
             if (left.none()) {
                 event = FormSubmitted{form};
             } else {
-                draft.to_fill = left.age ? FormDraft::ToFill::kAge : FormDraft::ToFill::kConsent;
+                go_to_problem(left, study, draft);
             }
         });
     return event;

@@ -64,16 +64,56 @@ struct Grid {
     return pressed;
 }
 
+void head(const Fonts& fonts, const Progress& at) {
+    heading(fonts, words()(at.practice ? "practice" : "pairs"));
+    if (at.practice) hint(fonts, words()("practice_hint"));
+    hint(fonts, words()(at.pair == 0 ? "first_pair_hint" : "next_pair_hint"));
+    gap(0.4F);
+}
+
+/// How far it is, filled in the direction of reading.
+void progress_bar(const Progress& at) {
+    const float width = std::round(ImGui::GetContentRegionAvail().x);
+    const float height = times_text(0.5F);
+    const float filled =
+        std::round(width * static_cast<float>(at.pair) / static_cast<float>(std::max(1, at.count)));
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float left = from.x + (is_mirrored() ? width - filled : 0.0F);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(from, {from.x + width, from.y + height},
+                       ImGui::GetColorU32(ImGuiCol_FrameBg), 0.5F * height);
+    list.AddRectFilled({left, from.y}, {left + filled, from.y + height},
+                       ImGui::GetColorU32(ImGuiCol_CheckMark), 0.5F * height);
+    ImGui::Dummy({width, height});
+}
+
+/// One button with the progress.
+std::optional<Event> next_pair_screen(const Fonts& fonts, const Progress& at) {
+    std::optional<Event> event;
+    card(
+        "##pairs", 26.0F,
+        [&] {
+            head(fonts, at);
+            progress_bar(at);
+            hint(fonts, words()("done", {{"done", std::to_string(at.pair)},
+                                         {"count", std::to_string(at.count)}}));
+        },
+        [&] {
+            if (primary_button(words()("next_pair"))) event = PairPressed{at.pair};
+        });
+    return event;
+}
+
 }  // namespace
 
-std::optional<Event> pairs_screen(const Fonts& fonts, int next, int count) {
+std::optional<Event> pairs_screen(const Fonts& fonts, const Progress& at, bool next_button) {
+    if (next_button) return next_pair_screen(fonts, at);
+    const auto [next, count, practice] = at;
     std::optional<Event> event;
     const Grid grid = grid_for(count);
     const auto columns = static_cast<float>(grid.columns);
     const auto body = [&] {
-        heading(fonts, words()("pairs"));
-        hint(fonts, words()(next == 0 ? "first_pair_hint" : "next_pair_hint"));
-        gap(0.4F);
+        head(fonts, at);
         const float space = ImGui::GetStyle().ItemSpacing.x;
         const float room = ImGui::GetContentRegionAvail().x;
         const float width = std::floor((room - space * (columns - 1.0F)) / columns);

@@ -10,12 +10,17 @@
 
 namespace obscura::app::kiosk {
 
-std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study, int pair,
-                                     int count) {
+std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
+                                     const Progress& at) {
     std::optional<Event> event;
+    const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
+    // The first is where reading begins.
+    const char* const left = is_mirrored() ? "right_image" : "left_image";
+    const char* const right = is_mirrored() ? "left_image" : "right_image";
     const auto body = [&] {
-        hint(fonts, words()("pair_of", {{"pair", std::to_string(pair + 1)},
-                                        {"count", std::to_string(count)}}));
+        hint(fonts,
+             words()(at.practice ? "practice_pair_of" : "pair_of",
+                     {{"pair", std::to_string(at.pair + 1)}, {"count", std::to_string(at.count)}}));
         heading(fonts, study.question);
     };
     const auto foot = [&] {
@@ -23,11 +28,13 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
         const float width = std::floor((ImGui::GetContentRegionAvail().x - space) * 0.5F);
         SideBySide row(space);
         row.next(width);
-        if (wide_button(words()("first_image"), width, 4.0F, true)) event = Answered{true};
+        if (wide_button(words()(beside ? left : "first_image"), width, 4.0F, true))
+            event = Answered{true};
         row.next(width);
-        if (wide_button(words()("second_image"), width, 4.0F, true)) event = Answered{false};
+        if (wide_button(words()(beside ? right : "second_image"), width, 4.0F, true))
+            event = Answered{false};
         gap(0.3F);
-        hint(fonts, words()("question_hint"));
+        hint(fonts, words()(beside ? "question_hint_beside" : "question_hint"));
     };
     // What ended the look at the second image must not press a button here.
     card("##question", 34.0F, body, foot, Keyboard::kIsLeftToTheCaller);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "app/measure/experiment.h"
 
 namespace obscura::app {
@@ -33,31 +31,13 @@ void add(Experiment& experiment, const renderer::Technique& technique, int sampl
     experiment.settings.push_back({name, variant, Values::kFitted});
 }
 
-/// Whether a technique nobody had before is nearer to the truth than every one of the papers'.
-std::vector<Finding> judge_front(const std::vector<Outcome>& outcomes) {
-    const Outcome* blizzard = nullptr;
-    const Outcome* best = nullptr;
-    for (const Outcome& outcome : outcomes) {
-        if (std::isnan(outcome.rmse)) continue;
-        if (outcome.name == "Blizzard24") blizzard = &outcome;
-        const bool traced = outcome.name.starts_with("RayTraced");
-        if (!traced && (best == nullptr || outcome.rmse < best->rmse)) best = &outcome;
-    }
-    if (blizzard == nullptr || best == nullptr) return {};
-    return {{"Blizzard's is the best accuracy for its time", best == blizzard,
-             fmt::format("RMSE {:.4f} at {:.2f} ms; {} has {:.4f} at {:.2f} ms, the least without "
-                         "rays",
-                         blizzard->rmse, blizzard->ao_ms + blizzard->filter_ms, best->name,
-                         best->rmse, best->ao_ms + best->filter_ms)}};
-}
-
 }  // namespace
 
 Experiment front() {
     Experiment experiment{"front",
                           "All techniques: error over time, as published and fitted",
                           {},
-                          judge_front,
+                          nullptr,
                           "whether a difference in error is one that people see"};
     for (const renderer::Technique& technique : renderer::techniques()) {
         if (technique.is_truth()) continue;

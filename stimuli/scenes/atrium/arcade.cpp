@@ -21,12 +21,15 @@ std::vector<vec2> string_course() {
 }
 
 /// One bay between two columns: wall, ring and impost blocks' tops, centred on x = 0.
-void build_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
+void build_bay(Site& site, const glm::mat4& bay, float along_m, std::uint32_t wall_seed,
+               std::uint32_t seed) {
     const float half = 0.5F * kBay;
     const Mesh wall = arch_wall(-half, half, 0.0F, kSpringing, kArchRadius + 0.1F, kLowerTop);
     const glm::mat4 back = glm::rotate(glm::mat4(1.0F), glm::pi<float>(), vec3(0.0F, 1.0F, 0.0F));
-    site.put(Surface::kAshlar, wall, bay * at(0.0F, 0.0F, kWallHalf), seed);
-    site.put(Surface::kAshlar, wall, bay * back * at(0.0F, 0.0F, kWallHalf), seed + 100U);
+    site.put(Surface::kAshlar, continued(wall, along_m), bay * at(0.0F, 0.0F, kWallHalf),
+             wall_seed);
+    site.put(Surface::kAshlar, continued(wall, -along_m), bay * back * at(0.0F, 0.0F, kWallHalf),
+             wall_seed + 100U);
     Ring ring;
     ring.springing = kSpringing;
     ring.radius = kArchRadius;
@@ -68,7 +71,8 @@ void build_arcades(Site& site) {
         const std::uint32_t seed = side < 0 ? 1000U : 2000U;
         for (int i = 0; i < kBays; ++i) {
             const float x = -kHalfLength + kBay * (static_cast<float>(i) + 0.5F);
-            build_bay(site, frame * at(x, 0.0F, 0.0F), seed + 10U * static_cast<std::uint32_t>(i));
+            build_bay(site, frame * at(x, 0.0F, 0.0F), x, seed + 300U,
+                      seed + 10U * static_cast<std::uint32_t>(i));
         }
         build_supports(site, frame, seed + 500U);
         site.put(Surface::kStone, moulding(string_course(), -kHalfLength, kHalfLength),

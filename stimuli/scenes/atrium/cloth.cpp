@@ -39,7 +39,7 @@ float width_at(const Drape& drape, float v) {
 
 vec3 drape_point(const Drape& drape, float u, float v) {
     const float width = width_at(drape, v);
-    const float wander = 0.05F * fbm(vec2(u * 5.0F, v * 1.3F), drape.seed, 3) * v;
+    const float wander = 0.08F * fbm(vec2(u * 5.0F, v * 1.3F), drape.seed, 3) * v;
     const float wave = u + wander + 0.022F * std::sin(9.0F * u + static_cast<float>(drape.seed));
     const float phase = wave * static_cast<float>(drape.folds) * glm::two_pi<float>();
     const float strength =
@@ -51,8 +51,11 @@ vec3 drape_point(const Drape& drape, float u, float v) {
     const float z = fuller * strength * (std::sin(phase) + 0.22F * std::sin(2.0F * phase + 0.7F));
     const float lean = 0.2F * drape.width / static_cast<float>(drape.folds) * width *
                        std::cos(phase + 0.4F) * glm::smoothstep(0.0F, 0.3F, v);
+    // Heavy cloth hangs straight nowhere: its edges swing out and in on their way down.
+    const float swing = 0.11F * fbm(vec2(u * 2.0F, v * 3.5F), drape.seed + 3U, 3) *
+                        glm::smoothstep(0.0F, 0.3F, v) * width;
     const float anchor = 0.5F * drape.towards;
-    const float x = drape.width * (anchor + (u - 0.5F - anchor) * width) + lean;
+    const float x = drape.width * (anchor + (u - 0.5F - anchor) * width) + lean + swing;
     const float sag = 0.02F * std::sin(phase) * (1.0F - glm::smoothstep(0.0F, 0.06F, v));
     const float hem = 0.03F * fbm(vec2(u * 6.0F, 0.5F), drape.seed + 2U, 3) * v;
     return {x, -drape.height * v + sag + hem, z};
@@ -140,7 +143,7 @@ void put_curtains(Site& site, const glm::mat4& bay, int style, const vec3& dye,
     put_rod(site, 3.2F, frame);
     const glm::mat4 cloth = frame * at(0.0F, -0.05F, 0.0F);
     Drape drape;
-    drape.height = kRodY - 0.17F;
+    drape.height = kRodY - 0.085F;  // the hem all but touches the floor
     drape.seed = seed;
     if (style == 3) {
         drape.width = 2.75F;

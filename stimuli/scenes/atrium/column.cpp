@@ -107,7 +107,7 @@ Mesh volute(float size, float reach, float rise, int steps) {
         path.emplace_back(0.0F, radius * std::sin(angle), -radius * std::cos(angle));
     }
     const std::vector<vec2> band = [&] {
-        std::vector<vec2> points = circle(1.0F, 6);
+        std::vector<vec2> points = circle(1.0F, 12);
         for (vec2& point : points) point *= vec2(0.34F, 0.105F) * size;
         return points;
     }();
@@ -139,7 +139,7 @@ void add_capital(Mesh& whole, const ColumnShape& shape, float bell_y, float bell
     }
     if (!shape.scrolls) return;
     const Mesh scroll = volute(0.5F * height, 0.57F * shape.abacus - 0.9F * r, 0.55F * height,
-                               2 * shape.leaf_detail + 4);
+                               6 * shape.leaf_detail);
     for (int i = 0; i < 4; ++i) {
         Placement placement;
         const float angle = (static_cast<float>(i) + 0.5F) * glm::half_pi<float>();

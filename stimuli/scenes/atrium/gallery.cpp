@@ -28,7 +28,7 @@ Mesh baluster() {
                                     {0.048F, 0.12F}, {0.067F, 0.2F},  {0.064F, 0.28F},
                                     {0.036F, 0.42F}, {0.031F, 0.53F}, {0.046F, 0.565F},
                                     {0.036F, 0.59F}, {0.052F, 0.62F}, {0.055F, 0.66F}};
-    return revolve(profile, 9);
+    return revolve(profile, 16);
 }
 
 /// Square pier from the parapet to the springing with a moulded head, at each bay line.
@@ -66,7 +66,8 @@ void put_balustrade(Site& site, const Mesh& turned, const glm::mat4& bay, std::u
     }
 }
 
-void build_upper_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
+void build_upper_bay(Site& site, const glm::mat4& bay, float along_m, std::uint32_t wall_seed,
+                     std::uint32_t seed) {
     const float half = 0.5F * kBay;
     const glm::mat4 back = glm::rotate(glm::mat4(1.0F), glm::pi<float>(), vec3(0.0F, 1.0F, 0.0F));
     for (const int which : {-1, 1}) {
@@ -77,8 +78,10 @@ void build_upper_bay(Site& site, const glm::mat4& bay, std::uint32_t seed) {
             arch_wall(x0, x1, sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
         const Mesh rear =
             arch_wall(-x1, -x0, -sign * kArchX, kUpperSpringing, kRadius + 0.06F, kUpperTop, 2);
-        site.put(Surface::kAshlar, front, bay * at(0.0F, 0.0F, kUpperHalf), seed);
-        site.put(Surface::kAshlar, rear, bay * back * at(0.0F, 0.0F, kUpperHalf), seed + 50U);
+        site.put(Surface::kAshlar, continued(front, along_m), bay * at(0.0F, 0.0F, kUpperHalf),
+                 wall_seed);
+        site.put(Surface::kAshlar, continued(rear, -along_m),
+                 bay * back * at(0.0F, 0.0F, kUpperHalf), wall_seed + 50U);
         Ring ring;
         ring.centre_x = sign * kArchX;
         ring.springing = kUpperSpringing;
@@ -122,7 +125,7 @@ void build_galleries(Site& site) {
             const float x = -kHalfLength + kBay * (static_cast<float>(i) + 0.5F);
             const glm::mat4 bay = frame * at(x, 0.0F, 0.0F);
             const auto own = seed + 20U * static_cast<std::uint32_t>(i);
-            build_upper_bay(site, bay, own);
+            build_upper_bay(site, bay, x, seed + 700U, own);
             put_balustrade(site, turned, bay, own + 300U);
             // The bay's middle: a block in the balustrade, a slender column, an impost.
             site.put(Surface::kStone, bevelled_box({0.38F, kRailTop - kParapetFoot, 0.38F}, 0.02F),

@@ -80,6 +80,11 @@ vec3 shade(std::uint32_t seed, float amount) {
                 tone * (1.0F - std::max(0.0F, warmth)));
 }
 
+Mesh continued(Mesh wall, float along_m) {
+    for (Vertex& vertex : wall.vertices) vertex.uv.x += along_m;
+    return wall;
+}
+
 glm::mat4 side_frame(int side, float wall_x) {
     const float turn = side > 0 ? -glm::half_pi<float>() : glm::half_pi<float>();
     return glm::rotate(at(static_cast<float>(side) * wall_x, 0.0F, 0.0F), turn,

@@ -95,6 +95,10 @@ void weather(Site& site);
 
 // Shared parts.
 
+/// A wall whose texture is that of a longer wall, `along_m` from where its own x is 0: with one
+/// seed, bays beside each other have no seam.
+[[nodiscard]] renderer::Mesh continued(renderer::Mesh wall, float along_m);
+
 /// Where `local` stands: x along a side, y up, z towards the court. `side` is -1 or +1 (of x).
 [[nodiscard]] glm::mat4 side_frame(int side, float wall_x);
 
@@ -132,9 +136,9 @@ struct ColumnShape {
     float radius = 0.31F;  ///< of the shaft's foot
     float abacus = 1.0F;   ///< side length
     int segments = 24;
-    int leaves = 8;       ///< in each of two rows
-    int leaf_detail = 8;  ///< cells along and around each
-    bool scrolls = true;  ///< volutes below the corners of the abacus
+    int leaves = 8;        ///< in each of two rows
+    int leaf_detail = 10;  ///< cells along and around each
+    bool scrolls = true;   ///< volutes below the corners of the abacus
 };
 [[nodiscard]] renderer::Mesh column(const ColumnShape& shape);
 

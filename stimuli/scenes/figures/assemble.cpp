@@ -175,7 +175,7 @@ void add_small_parts(renderer::Scene& scene, const Figure& figure) {
     for (const Wisp& wisp : figure.wisps) append(wisps, card_of(wisp));
     wisps.name = figure.name + " wisps";
     wisps.material = static_cast<std::uint32_t>(Cloth::kWisps);
-    scene.meshes.push_back(std::move(wisps));
+    if (!figure.wisps.empty()) scene.meshes.push_back(std::move(wisps));
     renderer::Mesh eyes;
     for (const Eye& eye : figure.eyes) append(eyes, eyeball(eye));
     eyes.name = figure.name + " eyes";

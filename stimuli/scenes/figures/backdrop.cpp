@@ -64,7 +64,7 @@ class Front {
                                    .albedo = vec3(0.035F, 0.042F, 0.048F),
                                    .specular_intensity = 0.5F,
                                    .specular_power = 120.0F});
-        stone_.material = static_cast<std::uint32_t>(Cloth::kGround);
+        stone_.material = static_cast<std::uint32_t>(Cloth::kBlock);
         plaster_.name = "house plaster";
         timber_.name = "house timber";
         glass_.name = "house panes";

@@ -28,6 +28,7 @@ enum class Cloth : std::uint32_t {
     kMetal,
     kGround,
     kWisps,  ///< hairs on cards, cut out
+    kBlock,  ///< stone without joints
     kCount,
 };
 
@@ -115,9 +116,11 @@ struct FoldCentre {
 /// pockets.
 [[nodiscard]] ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region);
 
-/// Where a boot stands, and which way its toe points in the ground plane.
+/// Where a boot stands, which way its toe points in the ground plane, and the knee that its shaft,
+/// `shaft_m` long, slants towards.
 void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
-              const glm::vec2& toe, float scale, float shaft_m, const glm::vec3& colour);
+              const glm::vec3& knee, const glm::vec2& toe, float scale, float shaft_m,
+              const glm::vec3& colour);
 
 [[nodiscard]] Figure make_man(const Placed& place);
 [[nodiscard]] Figure make_woman(const Placed& place);

@@ -34,7 +34,7 @@ renderer::Scene build() {
         result.far_m = 30.0F;
         return result;
     };
-    scene.cameras = {camera("pair", {0.05F, 1.35F, 3.65F}, {0.0F, 0.93F, 0.0F}, 0.52F),
+    scene.cameras = {camera("pair", {0.05F, 1.35F, 3.65F}, {0.0F, 0.895F, 0.0F}, 0.545F),
                      camera("close", {0.05F, 1.56F, 1.95F}, {0.0F, 1.42F, 0.0F}, 0.46F)};
     return scene;
 }
@@ -43,16 +43,17 @@ renderer::Lighting lighting(Validity validity) {
     renderer::Lighting result;
     renderer::SkyColours sky;
     sky.towards_sun = kTowardsSun;
-    sky.zenith = {0.58F, 0.68F, 0.88F};
-    sky.horizon = {1.08F, 1.06F, 1.00F};
-    sky.ground = {0.46F, 0.41F, 0.34F};
+    // Nothing of the sky is in view: it is as bright as white things before it can bear.
+    sky.zenith = {0.92F, 1.06F, 1.32F};
+    sky.horizon = {1.62F, 1.58F, 1.48F};
+    sky.ground = {0.66F, 0.59F, 0.49F};
     sky.cloud_cover = 0.6F;
     sky.seed = 7;
     result.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky, 512));
     if (validity == Validity::kHigh) {
-        result.lights = {{kTowardsSun, glm::vec3(3.6F, 3.3F, 2.8F)}};
+        result.lights = {{kTowardsSun, glm::vec3(4.6F, 4.2F, 3.5F)}};
         result.normal_mapping = true;
-        result.tone_mapping = renderer::ToneMapping{0.92F, 3.0F};
+        result.tone_mapping = renderer::ToneMapping{1.0F, 2.6F};
     }
     return result;
 }

@@ -103,9 +103,9 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
         hair.carve(ellipsoid(scalp.local(x * 0.080F, -0.022F, -0.010F),
                              scale * glm::vec3(0.018F, 0.034F, 0.022F), at.axes),
                    {scale * 0.004F, colour, false});
-        hair.add(round_cone(scalp.local(x * 0.0725F, 0.018F, 0.022F), scale * 0.0055F,
-                            scalp.local(x * 0.0710F, -0.018F, 0.020F), scale * 0.0035F),
-                 {scale * 0.004F, colour, true});
+        hair.add(round_cone(scalp.local(x * 0.0720F, 0.018F, 0.014F), scale * 0.0060F,
+                            scalp.local(x * 0.0705F, -0.010F, 0.012F), scale * 0.0028F),
+                 {scale * 0.006F, colour, true});
     }
     hair.carve(half_space(scalp.local(0.0F, -0.062F, -0.06F),
                           at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, -0.25F))),
@@ -118,7 +118,8 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
             const float side = (static_cast<float>(i) - 4.0F) / 4.0F;
             const float turn = side * (0.75F + 0.12F * static_cast<float>(row));
             const float from = 1.35F - 0.16F * static_cast<float>(row) + jitter(0.05F);
-            const float reach = 0.42F + jitter(0.06F);
+            // No lock hangs below the hairline: the edge is that of the cap, and the wisps'.
+            const float reach = std::min(0.42F + jitter(0.06F), from - 0.66F - jitter(0.03F));
             const float lift = 0.014F - 0.0016F * static_cast<float>(row) + jitter(0.003F);
             add_lock(hair, scalp,
                      {{turn * 1.25F, from, 0.003F, 0.010F},
@@ -197,30 +198,6 @@ void add_drawn_back(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour
     }
 }
 
-/// Two strands have come loose beside the face.
-void add_loose_strands(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour) {
-    for (const float x : {-1.0F, 1.0F}) {
-        for (int i = 0; i < 2; ++i) {
-            const float t = static_cast<float>(i);
-            hair.add(tube(make_curve(
-                         {{scalp.local(x * (0.028F + 0.014F * t), 0.090F, 0.066F),
-                           scalp.scale * 0.0055F, scalp.scale * 0.0048F},
-                          {scalp.local(x * (0.060F + 0.008F * t), 0.062F - 0.01F * t,
-                                       0.074F - 0.012F * t),
-                           scalp.scale * 0.0055F, scalp.scale * 0.0048F},
-                          {scalp.local(x * (0.074F + 0.004F * t), 0.010F, 0.052F - 0.012F * t),
-                           scalp.scale * 0.0052F, scalp.scale * 0.0048F},
-                          {scalp.local(x * (0.072F + 0.003F * t), -0.050F + 0.012F * t,
-                                       0.046F - 0.008F * t),
-                           scalp.scale * 0.0050F, scalp.scale * 0.0046F},
-                          {scalp.local(x * (0.062F + 0.006F * t), -0.092F + 0.02F * t, 0.052F),
-                           scalp.scale * 0.0042F, 0.0F}},
-                         5, scalp.at.axes[2])),
-                     {scalp.scale * 0.002F, colour * (1.0F - 0.08F * t), true});
-        }
-    }
-}
-
 void add_tail(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour, base::Random& random) {
     const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
     hair.add(ellipsoid(knot, scalp.scale * glm::vec3(0.021F, 0.021F, 0.017F), scalp.at.axes),
@@ -258,13 +235,11 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     base::Random random(23);
     add_cap(hair, scalp, colour);
     add_drawn_back(hair, scalp, colour, random);
-    add_loose_strands(hair, scalp, colour);
     add_tail(hair, scalp, colour, random);
     hair.displace(strands(scale * 0.0006F, [at, scale](const glm::vec3& p) {
         const glm::vec3 q = ((p - at.origin_m) * at.axes) / scale;
         return 900.0F * q.x + 260.0F * q.y;
     }));
-    add_wisps(figure, hair, scalp, 0.0F, colour);
 }
 
 }  // namespace obscura::stimuli::figures

@@ -71,9 +71,11 @@ void HeadModel::skull() {
             flesh(0.02F));
         solid_.add(blob(x * 0.032F, -0.052F, 0.064F, {0.019F, 0.022F, 0.019F}), flesh(0.025F));
     }
+    // A full cheek has none: carved less deep than a cell it would be a scar.
     for (const float x : kSides) {
+        if (traits_.hollow < 0.5F) break;
         solid_.carve(blob(x * 0.064F * jaw, -0.058F, 0.068F,
-                          glm::vec3(0.007F, 0.020F, 0.020F) * traits_.hollow),
+                          glm::vec3(0.0045F, 0.018F, 0.018F) * traits_.hollow),
                      {scale_ * 0.016F, traits_.skin, false});
     }
     solid_.add(blob(0.0F, -0.103F, 0.080F, {0.019F * jaw, 0.014F, 0.014F}), flesh(0.016F));
@@ -81,8 +83,8 @@ void HeadModel::skull() {
 
 void HeadModel::brow_and_sockets() {
     for (const float x : kSides) {
-        solid_.add(strip({knot(x * 0.008F, 0.015F, 0.087F, 0.0085F),
-                          knot(x * 0.034F, 0.0215F, 0.0825F, 0.0085F),
+        solid_.add(strip({knot(x * 0.012F, 0.0145F, 0.0845F, 0.0062F),
+                          knot(x * 0.034F, 0.0210F, 0.0815F, 0.0078F),
                           knot(x * 0.057F, 0.011F, 0.062F, 0.0075F)}),
                    flesh(0.010F + 0.006F * traits_.brow));
     }

@@ -50,7 +50,7 @@ Sculpture torso(const Placed& at) {
     return s;
 }
 
-void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
+void add_sleeve(Sculpture& jacket, Sculpture& cuffs, const Placed& at, const glm::vec3& shoulder,
                 const glm::vec3& elbow, const glm::vec3& wrist, float inner_rad,
                 std::uint32_t seed) {
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
@@ -72,12 +72,11 @@ void add_sleeve(Sculpture& jacket, const Placed& at, const glm::vec3& shoulder,
                           {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
                          seed)),
         {0.022F, kJacketColour, true});
-    // Ribbed cuff.
+    // The cuff is finer than the jacket's cells: a mesh of its own.
     const Curve band = make_curve({{p(along(elbow, wrist, 0.80F)), 0.041F, 0.0F},
                                    {p(along(elbow, wrist, 0.95F)), 0.037F, 0.0F}},
                                   4, at.axes[2]);
-    const Relief ribs = [](const TubePoint& q) { return 0.0011F * std::sin(q.angle_rad * 26.0F); };
-    jacket.add(tube(band, {false, ribs, 0.0012F}), {0.003F, kJacketColour * 0.7F, true});
+    cuffs.add(tube(band), {0.0F, kJacketColour * 0.7F, true});
 }
 
 void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
@@ -89,8 +88,10 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     hem.keep(rounded_box(at(0.0F, 0.985F, 0.0F), {0.3F, 0.030F, 0.3F}, 0.006F, at.axes),
              {0.004F, {}, false});
     jacket.add(as_shape(hem), {0.004F, kJacketColour * 0.7F, true});
-    add_sleeve(jacket, at, kShoulderRight, kElbowRight, kWristRight, 0.3F, 101);
-    add_sleeve(jacket, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.9F, 202);
+    Sculpture cuffs;
+    add_sleeve(jacket, cuffs, at, kShoulderRight, kElbowRight, kWristRight, 0.3F, 101);
+    add_sleeve(jacket, cuffs, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.9F, 202);
+    man.part("cuffs", Cloth::kJacket, 0.0052F, 0.10F).solid = std::move(cuffs);
     // Collar: stands at the neck and falls open in front.
     const Curve collar = make_curve({{at(0.030F, 1.475F, 0.078F), 0.008F, 0.022F},
                                      {at(0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
@@ -117,13 +118,13 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
                {0.002F, kJacketColour * 0.9F, true});
     for (const float x : kSides) {
         jacket.add(layer(core, 0.0075F,
-                         rounded_box(at(x * 0.095F, 1.335F, 0.14F), {0.048F, 0.055F, 0.10F}, 0.008F,
+                         rounded_box(at(x * 0.095F, 1.335F, 0.14F), {0.048F, 0.055F, 0.10F}, 0.014F,
                                      at.axes)),
-                   {0.003F, kJacketColour, true});
-        jacket.add(layer(core, 0.0125F,
-                         rounded_box(at(x * 0.095F, 1.378F, 0.14F), {0.051F, 0.018F, 0.10F}, 0.006F,
+                   {0.007F, kJacketColour, true});
+        jacket.add(layer(core, 0.0110F,
+                         rounded_box(at(x * 0.095F, 1.378F, 0.14F), {0.051F, 0.018F, 0.10F}, 0.010F,
                                      at.axes)),
-                   {0.002F, kJacketColour * 0.85F, true});
+                   {0.006F, kJacketColour * 0.85F, true});
     }
     jacket.displace(
         {[at](const glm::vec3& world) {
@@ -192,14 +193,14 @@ void add_trousers(Figure& man, const Placed& at) {
     for (const float x : kSides) {
         const glm::vec3 hip = x < 0.0F ? kHipRight : kHipLeft;
         const glm::vec3 knee = x < 0.0F ? kKneeRight : kKneeLeft;
-        const glm::vec3 middle = along(hip, knee, 0.58F) + glm::vec3(x * 0.072F, 0.0F, 0.012F);
+        const glm::vec3 middle = along(hip, knee, 0.58F) + glm::vec3(x * 0.070F, 0.0F, 0.012F);
         const glm::mat3 axes = at.axes * axes_from(glm::normalize(glm::vec3(x * 0.9F, 0.05F, 0.3F)),
                                                    glm::normalize(hip - knee));
-        s.add(rounded_box(at(middle.x, middle.y, middle.z), {0.062F, 0.080F, 0.030F}, 0.014F, axes),
-              {0.006F, kTrouserColour, true});
-        const glm::vec3 flap = along(hip, knee, 0.45F) + glm::vec3(x * 0.078F, 0.0F, 0.012F);
-        s.add(rounded_box(at(flap.x, flap.y, flap.z), {0.066F, 0.024F, 0.032F}, 0.008F, axes),
-              {0.002F, kTrouserColour * 0.88F, true});
+        s.add(rounded_box(at(middle.x, middle.y, middle.z), {0.062F, 0.080F, 0.020F}, 0.016F, axes),
+              {0.016F, kTrouserColour, true});
+        const glm::vec3 flap = along(hip, knee, 0.45F) + glm::vec3(x * 0.074F, 0.0F, 0.012F);
+        s.add(rounded_box(at(flap.x, flap.y, flap.z), {0.066F, 0.024F, 0.022F}, 0.012F, axes),
+              {0.008F, kTrouserColour * 0.88F, true});
         s.carve(tube(make_curve({{at(x * 0.150F, 0.985F, 0.075F), 0.0035F, 0.0F},
                                  {at(x * 0.168F, 0.900F, 0.045F), 0.0035F, 0.0F}},
                                 4, at.axes[2])),
@@ -263,12 +264,12 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
         const glm::vec3 out(std::sin(pouch.turn), 0.0F, std::cos(pouch.turn));
         const glm::mat3 axes = at.axes * axes_from(out, {0.0F, 1.0F, 0.0F});
         const glm::vec3 m = pouch.middle;
-        s.add(rounded_box(at(m.x, m.y, m.z), pouch.half, 0.009F, axes),
-              {0.001F, kLeatherColour * 1.25F, true});
+        s.add(rounded_box(at(m.x, m.y, m.z), pouch.half, 0.015F, axes),
+              {0.004F, kLeatherColour * 1.25F, true});
         const glm::vec3 lid = m + glm::vec3(0.0F, 0.55F * pouch.half.y, 0.0F) + out * 0.004F;
         s.add(rounded_box(at(lid.x, lid.y, lid.z), pouch.half * glm::vec3(1.06F, 0.46F, 1.02F),
-                          0.007F, axes),
-              {0.001F, kLeatherColour * 1.1F, true});
+                          0.010F, axes),
+              {0.004F, kLeatherColour * 1.1F, true});
         const glm::vec3 stud =
             m + out * (pouch.half.z + 0.005F) + glm::vec3(0.0F, 0.12F * pouch.half.y, 0.0F);
         s.add(ball(at(stud.x, stud.y, stud.z), 0.0055F),
@@ -332,8 +333,9 @@ Figure make_man(const Placed& at) {
     add_trousers(man, at);
     add_harness(man, at, core);
     Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, {-0.30F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
-    add_boot(boots, at, kAnkleLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
+    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, 0.255F,
+             kLeatherColour * 0.9F);
+    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(0.16F, -0.02F, 1.0F));
     const Placed head{at(0.0F, 1.680F, 0.030F),

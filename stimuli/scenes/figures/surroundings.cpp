@@ -81,13 +81,14 @@ TextureRecipe wisps() {
     return {"wisps", 128, 128, glm::vec2(0.02F), [](glm::vec2 uv) {
                 Texel texel;
                 texel.opacity = 0.0F;
-                for (int i = 0; i < 7; ++i) {
+                constexpr int kHairs = 3;  // wide enough to be seen whole at the study's distance
+                for (int i = 0; i < kHairs; ++i) {
                     const auto own = [i](int which) { return hash_unit(i, which, 0, 47); };
                     const float bend = 0.10F * (own(0) - 0.5F);
-                    const float at = (static_cast<float>(i) + 0.2F + 0.6F * own(1)) / 7.0F +
+                    const float at = (static_cast<float>(i) + 0.2F + 0.6F * own(1)) / kHairs +
                                      bend * std::sin(3.0F * uv.y);
                     const bool there = uv.y > 0.30F * own(2) && uv.y < 0.80F + 0.20F * own(3);
-                    const float thin = 0.045F * (1.0F - 0.6F * uv.y);
+                    const float thin = 0.13F * (1.0F - 0.85F * uv.y);
                     if (!there || std::abs(uv.x - at) > thin) continue;
                     texel.opacity = 1.0F;
                     texel.albedo = glm::vec3(0.75F + 0.25F * own(4));
@@ -95,6 +96,26 @@ TextureRecipe wisps() {
                 if (texel.opacity == 0.0F) texel.albedo = glm::vec3(0.85F);
                 return texel;
             }};
+}
+
+/// The same stone without joints: blocks have edges of their own.
+TextureRecipe block() {
+    return {"block",
+            512,
+            512,
+            glm::vec2(1.6F),
+            [](glm::vec2 uv) {
+                const float rough = shared_noise(uv * 2.0F + 0.41F);
+                const float pits = shared_noise(uv * 17.0F);
+                const float dust = fbm(uv * 3.0F, 29, 4, {3, 3});
+                Texel texel;
+                texel.albedo = glm::vec3(0.36F, 0.33F, 0.28F) *
+                               (0.95F + 0.20F * rough + 0.10F * pits + 0.10F * dust);
+                texel.height_m = 0.0022F * rough + 0.0010F * pits;
+                texel.roughness = 0.66F + 0.14F * rough + 0.10F * std::max(0.0F, dust);
+                return texel;
+            },
+            true};
 }
 
 /// Worn slabs of stone, dusty in the joints.
@@ -160,6 +181,7 @@ void add_materials(renderer::Scene& scene) {
                   .double_sided = true,
                   .coverage = renderer::Coverage::kCutOut},
                  wisps());
+    add_material(scene, {.name = "block", .specular_intensity = 0.04F}, block());
 }
 
 void add_surroundings(renderer::Scene& scene) {
@@ -185,12 +207,12 @@ void add_surroundings(renderer::Scene& scene) {
     // A low wall of blocks behind the two.
     renderer::Mesh wall;
     wall.name = "wall";
-    wall.material = ground.material;
+    wall.material = static_cast<std::uint32_t>(Cloth::kBlock);
     for (int row = 0; row < 3; ++row) {
         for (int i = -4; i <= 4; ++i) {
             const float width = 0.80F;
             const float shift = row % 2 == 0 ? 0.0F : 0.4F;
-            const float nudge = 0.012F * (hash_unit(i, row, 0, 9) - 0.5F);
+            const float nudge = 0.003F * (hash_unit(i, row, 0, 9) - 0.5F);
             if (row == 2 && hash_unit(i, row, 1, 9) < 0.25F) continue;
             Placement place;
             place.uv_scale = glm::vec2(1.0F / 1.6F);
@@ -199,7 +221,7 @@ void add_surroundings(renderer::Scene& scene) {
                 glm::vec4(static_cast<float>(i) * width + shift + nudge,
                           0.17F + 0.34F * static_cast<float>(row), -1.75F + nudge, 1.0F);
             place.tint = glm::vec3(0.85F + 0.15F * hash_unit(i, row, 4, 9));
-            append(wall, bevelled_box({width - 0.012F, 0.334F, 0.42F}, 0.018F), place);
+            append(wall, bevelled_box({width - 0.003F, 0.342F, 0.42F}, 0.018F), place);
         }
     }
     scene.meshes.push_back(std::move(ground));

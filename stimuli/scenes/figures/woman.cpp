@@ -73,7 +73,7 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
              {p(along(elbow, wrist, t + 0.10F)), 0.0490F - 0.002F * static_cast<float>(i), 0.0F}},
             3, at.axes[2]);
         shirt.add(tube(roll, folded({{0.01F, 0.05F, 1.0F, 0.0025F, 0.030F, 0.8F}}, seed + 7)),
-                  {0.003F, kShirtColour, true});
+                  {0.008F, kShirtColour, true});
     }
     shirt.carve(
         round_cone(p(along(elbow, wrist, 0.53F)), 0.0335F, p(along(elbow, wrist, 0.80F)), 0.036F),
@@ -139,16 +139,16 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     // Armholes, neck and the open front, which widens downwards.
     for (const float x : kSides) {
         body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
-                   {0.003F, kVestColour, false});
+                   {0.007F, kVestColour, false});
     }
     body.carve(round_cone(at(0.0F, 1.400F, 0.02F), 0.072F, at(0.0F, 1.52F, 0.02F), 0.080F),
-               {0.003F, kVestColour, false});
+               {0.007F, kVestColour, false});
     body.carve(tube(make_curve({{at(0.0F, 1.42F, 0.10F), 0.052F, 0.08F},
                                 {at(0.0F, 1.30F, 0.12F), 0.044F, 0.08F},
                                 {at(0.0F, 1.15F, 0.12F), 0.038F, 0.08F},
                                 {at(0.0F, 0.98F, 0.12F), 0.062F, 0.08F}},
                                6, at.axes[0])),
-               {0.003F, kVestColour, false});
+               {0.007F, kVestColour, false});
     vest.add(as_shape(body), {0.0F, kVestColour, true});
     // Seams and pocket welts stand out a little.
     for (const float x : kSides) {
@@ -300,8 +300,8 @@ Figure make_woman(const Placed& at) {
     add_trousers(woman, at);
     add_belt(woman, at);
     Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
-    add_boot(boots, at, kAnkleLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
+    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
+    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
     add_arms(woman, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(-0.16F, 0.0F, 1.0F));
     const Placed head{at(0.0F, 1.578F, 0.026F),

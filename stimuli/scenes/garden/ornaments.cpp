@@ -82,7 +82,7 @@ void put_pedestal(Assembly& garden, const glm::mat4& place) {
         for (const float edge : {-1.0F, 1.0F}) {
             garden.put(Surface::kStone, bevelled_box({0.03F, 0.40F, 0.016F}, 0.005F),
                        side * moved(edge * 0.15F, 0.41F, 0.213F), 334U);
-            garden.put(Surface::kStone, bevelled_box({0.33F, 0.03F, 0.016F}, 0.005F),
+            garden.put(Surface::kStone, bevelled_box({0.272F, 0.03F, 0.015F}, 0.005F),
                        side * moved(0.0F, 0.41F + edge * 0.185F, 0.213F), 335U);
         }
     }
@@ -121,11 +121,11 @@ void put_bowl(Assembly& garden, const glm::mat4& urn) {
         return vec3(r * std::sin(a), 0.15F + 0.34F * v, r * std::cos(a));
     });
     garden.put(Surface::kStone, bowl, urn, 340U);
-    const std::array<vec2, 7> lip{{{0.245F, 0.488F},
-                                   {0.255F, 0.492F},
-                                   {0.257F, 0.50F},
-                                   {0.25F, 0.51F},
-                                   {0.225F, 0.51F},
+    const std::array<vec2, 7> lip{{{0.270F, 0.480F},
+                                   {0.302F, 0.486F},
+                                   {0.308F, 0.498F},
+                                   {0.298F, 0.51F},
+                                   {0.235F, 0.51F},
                                    {0.20F, 0.49F},
                                    {0.19F, 0.46F}}};
     garden.put(Surface::kStone, revolve(lip, 64), urn, 341U);

@@ -284,7 +284,7 @@ constexpr std::array<Finish, 15> kFinishes{{
     {"gravel", gravel, 512, 512, 0.6F, 0.02F, 10.0F},
     {"pebble", pebble, 128, 128, 0.1F, 0.04F, 16.0F},
     {"turf", turf, 512, 512, 1.2F, 0.0F, 8.0F},
-    {"zinc", zinc, 256, 256, 0.4F, 0.25F, 30.0F},
+    {"zinc", zinc, 256, 256, 0.4F, 0.25F, 30.0F, true},  // sheets without an inner side
     {"wood", wood, 256, 256, 1.0F, 0.02F, 8.0F},
     {"ivy", ivy, 256, 256, 1.0F, 0.025F, 12.0F, true, true},
     {"fern", fern, 256, 1024, 1.0F, 0.02F, 12.0F, true, true},

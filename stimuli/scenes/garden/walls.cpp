@@ -29,12 +29,14 @@ vec3 brick_colour(std::uint32_t seed) {
 void put_wall(Assembly& garden, const glm::mat4& place, float length, std::uint32_t seed) {
     constexpr float kCourse = 0.075F;
     constexpr float kStep = 0.225F;
+    constexpr float kFoot = 0.1F;  // below the ground, which is nowhere even
+    constexpr float kLap = 0.05F;  // into the wall that meets it, so that no sky shows between
     const int courses = static_cast<int>(kWallHigh / kCourse);
     const int along = static_cast<int>(length / kStep) + 1;
-    garden.put(
-        Surface::kMortar,
-        rectangle({0.0F, 0.0F, -0.007F}, {length, 0.0F, 0.0F}, {0.0F, kWallHigh, 0.0F}, 0.5F),
-        place, seed);
+    garden.put(Surface::kMortar,
+               rectangle({-kLap, -kFoot, -0.007F}, {length + 2.0F * kLap, 0.0F, 0.0F},
+                         {0.0F, kWallHigh + kFoot, 0.0F}, 0.5F),
+               place, seed);
     const Mesh brick = bevelled_box({0.214F, 0.064F, 0.10F}, 0.005F);
     for (int row = 0; row < courses; ++row) {
         for (int i = 0; i <= along; ++i) {
@@ -42,8 +44,8 @@ void put_wall(Assembly& garden, const glm::mat4& place, float length, std::uint3
             const int k = static_cast<int>(own & 0xffffU);
             const float x = kStep * (static_cast<float>(i) + (row % 2 == 0 ? 0.0F : 0.5F));
             if (x > length) continue;
-            const float out = 0.006F * (hash_unit(k, 1, 0, 3) - 0.5F) -
-                              (hash_unit(k, 2, 0, 3) > 0.975F ? 0.02F : 0.0F);
+            if (hash_unit(k, 2, 0, 3) > 0.975F) continue;  // fallen out, the hole filled
+            const float out = 0.006F * (hash_unit(k, 1, 0, 3) - 0.5F);
             const float turn = 0.02F * (hash_unit(k, 3, 0, 3) - 0.5F);
             // Damp darkens and greens the foot of the wall.
             const float y = kCourse * (static_cast<float>(row) + 0.5F);
@@ -68,23 +70,25 @@ void put_wall(Assembly& garden, const glm::mat4& place, float length, std::uint3
                    own, shade_of(own, 0.25F));
     }
     // The wall's back, so that no light comes through.
-    garden.put(
-        Surface::kMortar,
-        rectangle({length, 0.0F, -0.24F}, {-length, 0.0F, 0.0F}, {0.0F, kWallHigh, 0.0F}, 1.0F),
-        place, seed);
+    garden.put(Surface::kMortar,
+               rectangle({length + kLap, 0.0F, -0.24F}, {-length - 2.0F * kLap, 0.0F, 0.0F},
+                         {0.0F, kWallHigh, 0.0F}, 1.0F),
+               place, seed);
 }
 
 void put_pier(Assembly& garden, const glm::mat4& place, std::uint32_t seed) {
     const Mesh brick = bevelled_box({0.214F, 0.064F, 0.10F}, 0.005F);
     for (int row = 0; row < 32; ++row) {
         const float y = 0.075F * (static_cast<float>(row) + 0.5F);
-        for (int i = 0; i < 6; ++i) {
+        // Bonded: two stretchers in front and one on each side behind them; in the next course one
+        // in front, between the ends of those on the sides.
+        const bool two = row % 2 == 0;
+        for (int i = 0; i < (two ? 4 : 3); ++i) {
             const std::uint32_t own = hash_lattice(i, row, 7, seed);
-            // Two in front, one and a half on each side.
-            const bool front = i < 2;
             const float side = i % 2 == 0 ? -1.0F : 1.0F;
-            const glm::mat4 spot = front ? moved(side * 0.1125F, y, 0.12F)
-                                         : moved(side * 0.1725F, y, i < 4 ? 0.04F : 0.0F) *
+            const bool front = two ? i >= 2 : i == 2;
+            const glm::mat4 spot = front ? moved(two ? side * 0.1125F : 0.0F, y, 0.12F)
+                                         : moved(side * 0.1725F, y, two ? -0.045F : 0.063F) *
                                                about_y(glm::half_pi<float>());
             garden.put(Surface::kBrick, brick, place * spot, own, brick_colour(own));
         }

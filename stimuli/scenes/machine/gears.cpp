@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -79,8 +80,11 @@ Mesh toothed_ring(int teeth, float first_rad, float bore_m) {
         make_tangents(face);
         append(whole, face);
     }
-    const std::array<vec2, 2> bore{{{bore_m, h}, {bore_m, -h}}};
-    append(whole, revolve(bore, 72), {.transform = about_x(glm::half_pi<float>())});
+    // The bore has the faces' own corners, or light would come through between them.
+    std::vector<vec2> bore;
+    for (const vec2& point : outline) bore.push_back(glm::normalize(point) * bore_m);
+    std::reverse(bore.begin(), bore.end());
+    append(whole, sweep(bore, frames, open));
     return whole;
 }
 

@@ -88,7 +88,8 @@ void put_body(Assembly& hall) {
 void put_cowl(Assembly& hall) {
     const glm::mat4 place =
         shaft() * moved(0.0F, 0.0F, kBackZ - 0.02F) * about_x(-glm::half_pi<float>());
-    const std::array<vec2, 7> sheet{{{0.24F, -0.06F},
+    const std::array<vec2, 8> sheet{{{0.236F, 0.10F},
+                                     {0.246F, -0.06F},
                                      {0.252F, -0.06F},
                                      {0.252F, 0.10F},
                                      {0.235F, 0.125F},
@@ -96,7 +97,8 @@ void put_cowl(Assembly& hall) {
                                      {0.198F, 0.126F},
                                      {0.198F, 0.05F}}};
     hall.put(Surface::kEnamel, revolve(sheet, 56), place, 520U, kBlueGrey);
-    const std::array<vec2, 2> inside{{{0.20F, 0.06F}, {0.0F, 0.06F}}};
+    const std::array<vec2, 4> inside{
+        {{0.0F, 0.055F}, {0.238F, 0.055F}, {0.238F, 0.06F}, {0.0F, 0.06F}}};
     hall.put(Surface::kDark, revolve(inside, 32), place, 521U);
     for (int i = 1; i <= 8; ++i) {
         hall.put(Surface::kZinc, ring(0.024F * static_cast<float>(i), 0.0028F, 40, 6),

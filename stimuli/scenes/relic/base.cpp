@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kDepth = 0.90F;  ///< the plinth is an ellipse: depth over width
+constexpr float kWide = 1.15F;   ///< so that the rock ends inside its rim
 
 std::vector<Knot> ellipse(float radius_m, float y_m, float width_m, float height_m) {
     std::vector<Knot> knots;
@@ -59,27 +60,29 @@ void add_petal(Sculpture& s, float angle, float radius_m, float y_m, float size)
 void add_base(Sculpture& sculpture) {
     const StrokeStyle stone{0.004F, kSandstone, true};
     Sculpture drum;
-    drum.add(ellipsoid({0.0F, 0.075F, 0.0F}, {0.40F, 0.30F, 0.40F * kDepth}));
+    drum.add(ellipsoid({0.0F, 0.075F, 0.0F}, {0.40F * kWide, 0.30F, 0.40F * kWide * kDepth}));
     drum.keep(rounded_box({0.0F, 0.060F, 0.0F}, {1.0F, 0.060F, 1.0F}, 0.004F));
     sculpture.add(as_shape(drum), stone);
-    sculpture.add(
-        tube(make_curve(ellipse(0.425F, 0.020F, 0.020F, 0.030F), 2, {0, 1, 0}), {true, nullptr, 0}),
-        stone);
-    sculpture.add(tube(make_curve(ellipse(0.405F, 0.046F, 0.011F, 0.013F), 2, {0, 1, 0})), stone);
-    constexpr int kPetals = 22;
+    sculpture.add(tube(make_curve(ellipse(0.425F * kWide, 0.020F, 0.020F, 0.030F), 2, {0, 1, 0}),
+                       {true, nullptr, 0}),
+                  stone);
+    sculpture.add(tube(make_curve(ellipse(0.405F * kWide, 0.046F, 0.011F, 0.013F), 2, {0, 1, 0})),
+                  stone);
+    constexpr int kPetals = 25;
     for (int i = 0; i < kPetals; ++i) {
-        add_petal(sculpture, 2.0F * kPi * (static_cast<float>(i) + 0.5F) / kPetals, 0.385F, 0.062F,
-                  0.92F);
+        add_petal(sculpture, 2.0F * kPi * (static_cast<float>(i) + 0.5F) / kPetals, 0.385F * kWide,
+                  0.062F, 0.92F);
     }
     for (int i = 0; i < kPetals; ++i) {
-        add_petal(sculpture, 2.0F * kPi * static_cast<float>(i) / kPetals, 0.392F, 0.052F, 0.80F);
+        add_petal(sculpture, 2.0F * kPi * static_cast<float>(i) / kPetals, 0.392F * kWide, 0.052F,
+                  0.80F);
     }
     // The rock that the dragon lies on.
     Sculpture rock;
     rock.add(ellipsoid({0.0F, 0.10F, 0.0F}, {0.37F, 0.060F, 0.34F}));
     rock.add(ellipsoid({0.04F, 0.14F, -0.02F}, {0.22F, 0.16F, 0.20F}),
              {0.06F, glm::vec3(1.0F), true});
-    rock.add(ellipsoid({-0.38F, 0.115F, 0.17F}, {0.075F, 0.030F, 0.080F}),
+    rock.add(ellipsoid({-0.36F, 0.112F, 0.165F}, {0.065F, 0.030F, 0.070F}),
              {0.03F, glm::vec3(1.0F), true});
     rock.displace({[](const glm::vec3& p) {
                        const glm::vec3 q(p.x, 1.8F * p.y, p.z);

@@ -14,10 +14,10 @@ namespace obscura::stimuli::relic {
 // stands on y = 0 and its front faces +Z.
 
 /// Linear colours of the stone.
-inline constexpr glm::vec3 kJade{0.55F, 0.665F, 0.575F};
-inline constexpr glm::vec3 kPale{0.74F, 0.735F, 0.67F};
-inline constexpr glm::vec3 kDeep{0.50F, 0.60F, 0.52F};
-inline constexpr glm::vec3 kSandstone{0.69F, 0.645F, 0.57F};
+inline constexpr glm::vec3 kJade{0.43F, 0.555F, 0.455F};
+inline constexpr glm::vec3 kPale{0.69F, 0.67F, 0.585F};
+inline constexpr glm::vec3 kDeep{0.375F, 0.485F, 0.400F};
+inline constexpr glm::vec3 kSandstone{0.56F, 0.51F, 0.435F};
 
 /// The spine from the tip of the tail to the skull; normals point to the back.
 [[nodiscard]] Curve spine();

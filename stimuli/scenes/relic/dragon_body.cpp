@@ -12,7 +12,7 @@ namespace {
 constexpr float kTurnHalf = std::numbers::pi_v<float>;
 constexpr int kScalesAround = 12;
 constexpr float kScaleLength = 0.95F;  ///< of a row, in widths of a scale
-constexpr float kScaleHigh_m = 0.028F;
+constexpr float kScaleHigh_m = 0.031F;
 
 float smooth(float low, float high, float value) {
     const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);

@@ -58,7 +58,8 @@ void add_eyes(Sculpture& s, const Placed& at) {
     for (const float x : kSides) {
         s.carve(ball(at(x * 0.053F, 0.036F, 0.058F), 0.0215F), {0.008F, kDeep, true});
         s.add(ball(at(x * 0.045F, 0.036F, 0.056F), 0.0185F), {0.001F, kPale, true});
-        s.carve(ball(at(x * 0.0632F, 0.0365F, 0.0600F), 0.0050F), {0.001F, kDeep, true});
+        // The pupil: a shallow dish in the middle of what the lids leave free.
+        s.carve(ball(at(x * 0.0695F, 0.0360F, 0.0632F), 0.0090F), {0.002F, kDeep, true});
         // Lids, then the heavy brow that sweeps up behind.
         s.add(tube(make_curve({at.knot(x * 0.036F, 0.034F, 0.080F, 0.0045F),
                                at.knot(x * 0.057F, 0.0505F, 0.064F, 0.0055F),

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "stimuli/scenes/list.h"
 #include "stimuli/scenes/relic/dragon.h"
+#include "stimuli/scenes/support/mesh_builder.h"
 #include "stimuli/scenes/support/noise.h"
 
 namespace obscura::stimuli {
@@ -36,15 +39,39 @@ void leave_out_underside(renderer::Mesh& mesh) {
     mesh.indices = std::move(kept);
 }
 
+/// What the piece stands on: a disc that ends before the cameras' far planes.
+renderer::Mesh ground() {
+    constexpr float kRadius_m = 4.5F;
+    renderer::Mesh mesh;
+    mesh.name = "ground";
+    mesh.material = 1;
+    PatchOptions options;
+    options.columns = 96;
+    options.rows = 4;
+    Placement placement;
+    placement.tint = glm::vec3(0.25F, 0.245F, 0.235F);
+    append(mesh,
+           patch(options,
+                 [](float u, float v) {
+                     const float angle = 2.0F * std::numbers::pi_v<float> * u;
+                     const float away_m = kRadius_m * (1.0F - v);
+                     return glm::vec3(away_m * std::cos(angle), 0.0F, -away_m * std::sin(angle));
+                 }),
+           placement);
+    return mesh;
+}
+
 renderer::Scene build() {
     // A scale of the legs is 25 mm wide, a petal of the base 70 mm.
-    constexpr float kBodyCell_m = 0.0053F;
-    constexpr float kBaseCell_m = 0.0085F;
+    constexpr float kBodyCell_m = 0.0055F;
+    constexpr float kBaseCell_m = 0.0094F;
     constexpr float kHeadCell_m = 0.0038F;
     renderer::Scene scene;
     scene.name = "relic";
     scene.materials.push_back(
         {.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
+    scene.materials.push_back(
+        {.name = "ground", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
     const Curve spine = relic::spine();
     Sculpture body;
     relic::add_body(body, spine);
@@ -63,8 +90,9 @@ renderer::Scene build() {
         leave_out_underside(mesh);
         scene.meshes.push_back(std::move(mesh));
     }
-    // The first is near enough for the scales to be seen one by one: the dragon fills half of the
-    // frame. The others show all of the piece, 1.15 m high, and its head.
+    scene.meshes.push_back(ground());
+    // The first shows all of the piece, 1.15 m high, near enough for its scales to be seen one by
+    // one; the others the same from farther, and its head.
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
         renderer::Camera result;
         result.name = name;
@@ -75,13 +103,18 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.42F, 1.30F, 1.00F}, {-0.03F, 0.635F, 0.06F}, 0.53F),
+    scene.cameras = {camera("front", {-0.86F, 1.12F, 1.33F}, {0.02F, 0.55F, 0.02F}, 0.83F),
                      camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.57F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;
 }
 
-renderer::Lighting lighting(Validity) { return {}; }
+/// Light from everywhere, and a dark room behind.
+renderer::Lighting lighting(Validity) {
+    renderer::Lighting result;
+    result.background = glm::vec3(0.135F, 0.138F, 0.142F);
+    return result;
+}
 
 }  // namespace
 

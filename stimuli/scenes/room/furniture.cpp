@@ -49,7 +49,7 @@ void put_desk(Assembly& study) {
     const float z = 0.5F * (kNear + kFar);
     for (int i = 0; i < 4; ++i) {
         const float depth = (kNear - kFar) / 4.0F;
-        put_board(study, {kTo - kFrom, 0.032F, depth - 0.0006F},
+        put_board(study, {kTo - kFrom, 0.032F, depth},
                   moved(x, kDeskTop - 0.016F, kFar + depth * (static_cast<float>(i) + 0.5F)),
                   210U + static_cast<std::uint32_t>(i), 0.0012F);
     }
@@ -77,7 +77,7 @@ void put_desk(Assembly& study) {
         }
     }
     // A chest of three drawers under its right end.
-    const glm::mat4 chest = moved(kTo - 0.34F, 0.0F, z + 0.02F);
+    const glm::mat4 chest = moved(kTo - 0.34F, 0.0F, z + 0.016F);
     for (const float side : {-0.2F, 0.2F})
         put_board(study, {0.018F, 0.58F, 0.62F}, chest * moved(side, 0.35F, 0.0F), 220U);
     put_board(study, {0.42F, 0.018F, 0.62F}, chest * moved(0.0F, 0.065F, 0.0F), 221U);

@@ -67,14 +67,14 @@ void put_window(Assembly& study) {
     for (const float side : {-1.0F, 1.0F}) {
         bar({0.07F, high, 0.05F}, {x + 0.05F, middle_y, middle_z + side * (0.5F * width - 0.025F)},
             20U);
-        bar({0.07F, 0.05F, width}, {x + 0.05F, middle_y + side * (0.5F * high - 0.025F), middle_z},
+        bar({0.068F, 0.05F, width}, {x + 0.05F, middle_y + side * (0.5F * high - 0.025F), middle_z},
             21U);
         const float leaf_z = middle_z + side * 0.25F * width;
         const float leaf = 0.5F * width - 0.06F;
         for (const float edge : {-1.0F, 1.0F}) {
             bar({0.045F, high - 0.10F, 0.055F},
                 {x + 0.075F, middle_y, leaf_z + edge * (0.5F * leaf - 0.027F)}, 22U);
-            bar({0.045F, 0.06F, leaf},
+            bar({0.043F, 0.06F, leaf},
                 {x + 0.075F, middle_y + edge * (0.5F * high - 0.08F), leaf_z}, 23U);
         }
         bar({0.03F, 0.024F, leaf}, {x + 0.075F, middle_y + 0.12F, leaf_z}, 24U);
@@ -90,7 +90,7 @@ void put_window(Assembly& study) {
         bar({0.034F, high + 0.17F, 0.022F},
             {kLeft + 0.017F, middle_y + 0.045F, middle_z + side * (0.5F * width + 0.088F)}, 28U);
     }
-    bar({0.022F, 0.09F, width + 0.2F}, {kLeft + 0.011F, kLintel + 0.047F, middle_z}, 29U);
+    bar({0.022F, 0.09F, width + 0.2F}, {kLeft + 0.0095F, kLintel + 0.047F, middle_z}, 29U);
     bar({0.045F, 0.03F, width + 0.26F}, {kLeft + 0.022F, kLintel + 0.105F, middle_z}, 29U);
     study.put(Surface::kMetal, bevelled_box({0.02F, 0.12F, 0.03F}, 0.006F),
               moved(x + 0.105F, middle_y - 0.1F, middle_z - 0.03F), 30U);
@@ -157,7 +157,7 @@ void put_door(Assembly& study) {
         study.put(Surface::kLacquer, bevelled_box({0.05F, 2.12F, 0.09F}, 0.008F),
                   place * moved(-0.01F, 1.06F, z), 53U);
     }
-    study.put(Surface::kLacquer, bevelled_box({0.05F, 0.09F, 1.03F}, 0.008F),
+    study.put(Surface::kLacquer, bevelled_box({0.048F, 0.09F, 1.03F}, 0.008F),
               place * moved(-0.01F, 2.1F, 0.0F), 54U);
     const std::array<vec2, 8> knob{{{0.0F, 0.0F},
                                     {0.028F, 0.0F},

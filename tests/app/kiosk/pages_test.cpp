@@ -111,7 +111,7 @@ class Pages : public testing::Test {
         return show([this] { return instructions_screen(ui_.fonts(), study_); });
     }
     [[nodiscard]] ShownPage show_form() {
-        return show([this] { return form_screen(ui_.fonts(), form_); });
+        return show([this] { return form_screen(ui_.fonts(), study_, form_); });
     }
 
     stimuli::Study study_ = small_study(3);
@@ -180,7 +180,7 @@ TEST_F(Pages, APageShownAnewBeginsAnew) {
 
 TEST_F(Pages, ALongQuestionIsAnsweredOnlyAfterItsEndWasSeen) {
     study_.question = many_lines(40);
-    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, {0, 3}); });
     EXPECT_FALSE(ShownPage::end_seen());
     page.press(GLFW_KEY_END);
     EXPECT_TRUE(ShownPage::end_seen());
@@ -195,7 +195,7 @@ std::optional<Answered> answer_of(ShownPage& page, PointerPlace at, PointerPlace
 }
 
 TEST_F(Pages, AnAnswerIsWhatThePointerWasOnWhenItWasPressedHoweverFastItMovesOn) {
-    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, 0, 3); });
+    ShownPage page = show([this] { return question_screen(ui_.fonts(), study_, {0, 3}); });
     std::optional<PointerPlace> first;
     std::optional<PointerPlace> second;
     for (double y = 40.0; y < 700.0 && !(first && second); y += 25.0) {
@@ -239,15 +239,23 @@ TEST_P(PagesOfEverySize, LieWithinTheWindowWithTheirFootInView) {
     const Fonts& fonts = ui.fonts();
     const std::vector<Draw> pages{
         [&] { return start_screen(fonts); },
-        [&] { return form_screen(fonts, form); },
+        [&] { return form_screen(fonts, study, form); },
         [&] { return instructions_screen(fonts, study); },
-        [&] { return pairs_screen(fonts, 40, 64); },
-        [&] { return question_screen(fonts, study, 0, 64); },
+        [&] {
+            return pairs_screen(fonts, {40, 64});
+        },
+        [&] {
+            return question_screen(fonts, study, {0, 64});
+        },
         [&]() -> std::optional<Event> {
             thanks_screen(fonts, study, "All answers are saved.");
             return std::nullopt;
         },
-        [&] { return leave_screen(fonts, true); },
+        [&]() -> std::optional<Event> {
+            OperatorView view;
+            (void)operator_screen(fonts, view);
+            return std::nullopt;
+        },
         [&]() -> std::optional<Event> {
             (void)trouble_screen(fonts, trouble);
             return std::nullopt;
@@ -278,14 +286,14 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PagesOfEverySize,
 
 TEST_F(Pages, AListOfPairsOfAnyLengthIsWhollyInView) {
     for (const int count : {1, 7, 8, 20, 36, 64}) {
-        const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), count - 1, count); });
+        const ShownPage page = show([&] { return pairs_screen(ui_.fonts(), {count - 1, count}); });
         EXPECT_TRUE(ShownPage::end_seen()) << count;
     }
 }
 
 TEST_F(Pages, NoTextIsFadedNotEvenThatOfPairsWhoseTurnHasNotCome) {
     using namespace window::theme;
-    ShownPage page = show([&] { return pairs_screen(ui_.fonts(), 1, 3); });
+    ShownPage page = show([&] { return pairs_screen(ui_.fonts(), {1, 3}); });
     page.draw();
     const auto& texts = page_state().tools.typesetter->uses();
     for (const Typesetter::Use& text : texts) {
@@ -339,9 +347,9 @@ TEST_F(Pages, ChosenOwnWordsTakeTheTypingAtOnceAndKeepEveryScript) {
     page.press(GLFW_KEY_SPACE);
     EXPECT_EQ(form_.gender, Gender::kOwnWords);
     page.type(U"\U0001F98A \u5973 \u0623\u0646\u062B\u0649");
-    EXPECT_EQ(form_of(form_).gender,
+    EXPECT_EQ(form_of(form_, study_).gender,
               "\xF0\x9F\xA6\x8A \xE5\xA5\xB3 \xD8\xA3\xD9\x86\xD8\xAB\xD9\x89");
-    EXPECT_EQ(form_of(form_).age_years, 30);
+    EXPECT_EQ(form_of(form_, study_).age_years, 30);
 }
 
 TEST_F(Pages, KeysThatCameFasterThanFramesGoWhereTheFocusWasThen) {
@@ -362,9 +370,9 @@ TEST_F(Pages, KeysThatCameFasterThanFramesGoWhereTheFocusWasThen) {
 }
 
 TEST_F(Pages, RatherNotSayIsNotTheSameAsNoAnswer) {
-    EXPECT_EQ(form_of(form_).gender, "");
+    EXPECT_EQ(form_of(form_, study_).gender, "");
     form_.gender = Gender::kRatherNotSay;
-    EXPECT_EQ(form_of(form_).gender, "rather not say");
+    EXPECT_EQ(form_of(form_, study_).gender, "rather not say");
 }
 
 TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {

@@ -108,7 +108,7 @@ std::vector<Stop> stops() {
 
 TEST(ProcedureInput, NoPageTakesWhatWasPressedBeforeItsDelayHoweverLateItComes) {
     const stimuli::Study study = small_study(2);
-    ASSERT_EQ(study.input_delay_ms, 300);
+    ASSERT_EQ(study.presentation.input_delay_ms, 300);
     for (const Stop& stop : stops()) {
         Script script(study);
         stop.reach(script, 100.0);
@@ -130,7 +130,7 @@ TEST(ProcedureInput, NoPageTakesWhatWasPressedBeforeItsDelayHoweverLateItComes) 
 TEST(ProcedureInput, TheDelayIsTheStudys) {
     for (const int delay_ms : {0, 50, 5000}) {
         stimuli::Study study = small_study(2);
-        study.input_delay_ms = delay_ms;
+        study.presentation.input_delay_ms = delay_ms;
         for (const Stop& stop : stops()) {
             if (delay_ms > 300 && stop.screen != Screen::kStart) continue;  // the way there is fast
             Script script(study);
@@ -171,7 +171,7 @@ TEST(ProcedureInput, APageIsLeftOnlyAfterItsEndWasSeenAndNotByWhatScrolledThere)
 
 TEST(ProcedureInput, TheOperatorNeedNotWaitToAsk) {
     stimuli::Study study = small_study(2);
-    study.input_delay_ms = 5000;
+    study.presentation.input_delay_ms = 5000;
     Script script(study);
     script.at(0, ScreenPresented{0, false});
     script.at(0.1, LeaveRequested{});
@@ -191,7 +191,7 @@ TEST(ProcedureInput, AfterTheOperatorsQuestionAPageTakesNothingAtFirstEither) {
     script.at(26.2, SpacePressed{});
     EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage);
     script.at(26.4, SpacePressed{});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
 }
 
 TEST(ProcedureInput, AnImageHiddenAndAskedAboutBeforeItWasEverSeenBeginsWhenItIsSeen) {

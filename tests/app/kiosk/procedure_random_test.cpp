@@ -14,13 +14,20 @@ namespace {
 using analysis::TrialRecord;
 
 Event random_event(base::Random& random, int pairs, double time_s) {
-    switch (random.below(15)) {
+    switch (random.below(18)) {
+        case 14:
+            return InformationRead{};
+        case 15:
+            return ConsentGiven{};
+        case 16:
+            return random.below(2) == 0 ? Event(CodeTakenBack{}) : Event(CodeConfirmed{});
         case 0:
             return StartPressed{};
         case 1: {
             Form form = Script::filled_form();
             form.consent = random.below(2) == 0;
             form.age_years = static_cast<int>(random.below(140)) - 10;
+            form.fields = {{random.below(2) == 0 ? "known" : "", {}}};
             return FormSubmitted{form};
         }
         case 2:
@@ -59,16 +66,24 @@ void expect_sound(const TrialRecord& row, int index, const stimuli::Study& study
     EXPECT_GE(row.first_onset_s, 0.0);
     EXPECT_GT(row.second_onset_s, row.first_onset_s);
     EXPECT_GE(row.question_onset_s, row.second_onset_s);
-    EXPECT_GE(row.grey_ms_measured, study.grey_ms - 1000.0);  // a tick may expect 1 s ahead
+    EXPECT_GE(row.grey_ms_measured,
+              study.presentation.grey_ms - 1000.0);  // a tick may expect 1 s ahead
 }
 
 TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWayBack) {
-    const stimuli::Study study = small_study(4);
+    const stimuli::Study plain = small_study(4);
+    stimuli::Study asking = small_study(4);
+    asking.information = "What this is about.";
+    asking.consent = stimuli::Consent{"1", "", {"I agree"}};
+    asking.form = {{.id = "code", .kind = stimuli::FieldKind::kCode, .label = "Code"}};
     std::set<Screen> seen;
     int completed = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         base::Random random(seed);
-        Script script(study, seed % 2 == 1);
+        const stimuli::Study& study = seed % 3 == 0 ? asking : plain;
+        SessionPlan plan = small_plan(study, seed % 2 == 1);
+        plan.known_codes = {"KNOWN"};
+        Script script(study, std::move(plan));
         double time_s = 0.0;
         std::set<std::pair<int, int>> images_left;  // pair and position no longer to be seen
         Screen last = Screen::kStart;
@@ -81,7 +96,8 @@ TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWay
             seen.insert(now);
             const int pair = script.procedure.pair();
             EXPECT_GE(pair, last_pair);
-            if (last == Screen::kFirstImage && now == Screen::kGrey) images_left.insert({pair, 0});
+            if (last == Screen::kFirstImage && now == Screen::kInterval)
+                images_left.insert({pair, 0});
             if (last == Screen::kSecondImage && now == Screen::kQuestion) {
                 images_left.insert({pair, 1});
             }
@@ -104,7 +120,7 @@ TEST(Procedure, RandomEventsNeverGiveARowOutOfOrderADuplicateANegativeTimeOrAWay
         completed += static_cast<int>(ends);
     }
     EXPECT_GT(completed, 5);
-    EXPECT_EQ(seen.size(), 12U) << "every screen is reached";
+    EXPECT_EQ(seen.size(), 15U) << "every screen is reached";
 }
 
 }  // namespace

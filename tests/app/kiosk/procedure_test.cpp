@@ -108,8 +108,8 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
     for (const std::optional<int> age : {std::optional<int>(), {0}, {121}, {-1}}) {
         Form form = Script::filled_form();
         form.age_years = age;
-        EXPECT_FALSE(problems_of(form).none());
-        EXPECT_FALSE(problems_of(form).consent);
+        EXPECT_FALSE(problems_of(form, study).none());
+        EXPECT_FALSE(problems_of(form, study).consent);
         Script script(study);
         script.shown_at(0);
         script.at(1, StartPressed{});
@@ -120,9 +120,9 @@ TEST(Procedure, AFormWithoutConsentOrWithAnImpossibleAgeStaysOnTheForm) {
     }
     Form form = Script::filled_form();
     form.consent = false;
-    EXPECT_TRUE(problems_of(form).consent);
+    EXPECT_TRUE(problems_of(form, study).consent);
     form = {.age_years = 1, .gender = "", .normal_vision = {}, .naive = {}, .consent = true};
-    EXPECT_TRUE(problems_of(form).none());
+    EXPECT_TRUE(problems_of(form, study).none());
 }
 
 TEST(Procedure, NothingShortensTheGreyInterval) {
@@ -132,15 +132,15 @@ TEST(Procedure, NothingShortensTheGreyInterval) {
     script.at(20, PairPressed{0});
     script.shown_at(21);
     script.at(22, SpacePressed{});
-    EXPECT_EQ(script.procedure.second_image_due_s(), std::nullopt);  // not visible yet
+    EXPECT_EQ(script.procedure.next_due_s(), std::nullopt);  // not visible yet
     script.shown_at(23);
-    EXPECT_EQ(script.procedure.second_image_due_s(), 25.0);
+    EXPECT_EQ(script.procedure.next_due_s(), 25.0);
     const std::vector<Event> tries{SpacePressed{}, Answered{true},    PairPressed{0},
                                    PairPressed{1}, NextParticipant{}, InstructionsRead{},
                                    StartPressed{}, Tick{24.999999}};
     for (const Event& event : tries) {
         script.at(24, event);
-        EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+        EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
     }
     script.at(24.99, Tick{25.0});
     EXPECT_EQ(script.procedure.screen(), Screen::kSecondImage);
@@ -148,7 +148,7 @@ TEST(Procedure, NothingShortensTheGreyInterval) {
 
 TEST(Procedure, SpaceBeforeAnImageIsVisibleDoesNotCount) {
     stimuli::Study study = small_study(2);
-    study.input_delay_ms = 0;
+    study.presentation.input_delay_ms = 0;
     Script script(study);
     script.reach_pairs();
     script.at(20, PairPressed{0});
@@ -158,7 +158,7 @@ TEST(Procedure, SpaceBeforeAnImageIsVisibleDoesNotCount) {
     script.at(20.9, SpacePressed{});  // pressed before, delivered after
     EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage);
     script.at(21, SpacePressed{});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
 }
 
 TEST(Procedure, OnlyTheNextPairsButtonDoesSomething) {
@@ -195,10 +195,10 @@ TEST(Procedure, TheOperatorsQuestionIsNoViewingTimeAndStayingReturnsToTheSameScr
     script.shown_at(39.5);
     script.at(60, Tick{60});
     script.at(61, LeaveCancelled{});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
     script.shown_at(62);
     script.at(63, Tick{63});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
     script.at(64, Tick{64});
     script.shown_at(64);
     script.at(65, SpacePressed{});
@@ -292,16 +292,16 @@ TEST(Procedure, NothingIsTakenWhileTheScreenIsHiddenButTheOperatorsWishToLeave) 
     EXPECT_EQ(script.procedure.screen(), Screen::kFirstImage) << "not visible yet";
     script.shown_at(32);
     script.at(33, SpacePressed{});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey);
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval);
     script.shown_at(34);
     script.at(35, ScreenHidden{"resized"});
-    EXPECT_FALSE(script.procedure.second_image_due_s());
+    EXPECT_FALSE(script.procedure.next_due_s());
     script.at(40, Tick{40});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey) << "no interval ends unseen";
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval) << "no interval ends unseen";
     script.at(41, ScreenSeen{});
     script.shown_at(42);
     script.at(43, Tick{43});
-    EXPECT_EQ(script.procedure.screen(), Screen::kGrey) << "it starts anew";
+    EXPECT_EQ(script.procedure.screen(), Screen::kInterval) << "it starts anew";
     script.at(44, Tick{44});
     script.shown_at(44);
     script.at(46, SpacePressed{});

@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 #include "analysis/store/store.h"
+#include "app/kiosk/pin.h"
 #include "stimuli/order/order.h"
 #include "tests/app/kiosk/visitor.h"
 
@@ -56,6 +57,7 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
     const analysis::SessionRecord session = store.sessions()[0];
     EXPECT_EQ(session.state, analysis::SessionState::kCompleted);
     EXPECT_EQ(session.study_sha256, shown.study.sha256);
+    EXPECT_THAT(session.timing, AllOf(HasSubstr("\"source\""), HasSubstr("\"waits\":false")));
     EXPECT_EQ(store.participants().at(0).age_years, 29);
     const auto order = stimuli::session_order(shown.study.order, 7, shown.study.seed, 0);
     const auto trials = store.trials();
@@ -67,6 +69,7 @@ TEST(KioskProgram, ASessionByKeyboardAndMouseCommitsEveryAnswerOfWhatWasSeen) {
         EXPECT_EQ(trials[i].second_sha256, seen[i].second);
         EXPECT_EQ(trials[i].response_first, first_chosen[i]) << "pair " << i;
         EXPECT_EQ(trials[i].kind, Kind::kParticipant);
+        EXPECT_EQ(trials[i].override_reason, kOverride);
         EXPECT_GE(trials[i].grey_ms_measured, kGrey_ms);
         // However busy the machine is: what came late says by how many frames.
         constexpr double kFrame_ms = 1000.0 / 60.0;
@@ -173,6 +176,48 @@ TEST(KioskProgram, AnAnswerThatCannotBeSavedIsTriedAgainAndNotLost) {
     EXPECT_EQ(visitor.store().sessions().at(0).state, analysis::SessionState::kCompleted);
 }
 
+TEST(KioskProgram, TheOperatorsPageIsBehindItsPinAndWithdrawsWhoeverIsChosen) {
+    const ShownStudy shown(2, 100, kSoon);
+    Visitor visitor(shown);
+    visitor.start_program();
+    visitor.sign_in();
+    visitor.answer_pair("1", 1);
+    visitor.answer_pair("1", 2);
+    visitor.turn("ctrl+shift+q");
+    visitor.turn("w");
+    visitor.press("space");
+    visitor.settle();
+    visitor.press("Escape");
+    visitor.settle();
+    EXPECT_EQ(visitor.store().trials().size(), 2U) << "whoever is at the kiosk is not erased";
+    visitor.press("Escape");
+    visitor.settle();
+    visitor.turn("ctrl+shift+n");
+    set_pin(pin_file(shown.data), "2718");
+    visitor.turn("ctrl+shift+q");
+    visitor.display().keys({"l", "w", "1", "1", "1", "1", "Return"});
+    visitor.await_words("a wrong PIN was tried");
+    visitor.settle();
+    EXPECT_TRUE(visitor.runs());
+    pause(1.0);  // before the next can be tried
+    visitor.display().keys({"2", "7", "1", "8", "Return"});
+    visitor.settle();
+    visitor.turn("w");
+    visitor.turn("space");  // the one session
+    visitor.display().keys({"Tab", "space"});
+    visitor.await("the answers to be gone", [&] { return visitor.store().trials().empty(); });
+    visitor.settle();
+    EXPECT_TRUE(visitor.store().participants().empty());
+    visitor.press_until("b", "a backup", [&] {
+        return std::filesystem::exists(shown.data / "backups") &&
+               !std::filesystem::is_empty(shown.data / "backups");
+    });
+    std::filesystem::remove(pin_file(shown.data));
+    visitor.press("Escape");
+    visitor.settle();
+    visitor.leave();
+}
+
 TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
     const ShownStudy shown(2, 100, kSoon);
     const VirtualDisplay display(kScreenWidth, kScreenHeight);
@@ -185,6 +230,9 @@ TEST(KioskProgram, RefusesBeforeAnyoneSitsDown) {
         return code;
     };
     const auto said = [&shown] { return base::read_file(shown.data / "log.txt"); };
+    EXPECT_EQ(exit_code_of_run(), 1);
+    EXPECT_THAT(said(), AllOf(HasSubstr("the refresh test failed"), HasSubstr("--override")));
+    std::filesystem::remove(shown.data / "responses.sqlite");
     const std::string file = shown.manifest.images[2].file;
     std::string bytes = base::read_file(shown.folder / file);
     base::write_file_atomically(shown.folder / file, bytes + "x");

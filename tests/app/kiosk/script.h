@@ -16,6 +16,7 @@ class Script {
   public:
     explicit Script(const stimuli::Study& study, bool swapped = false)
         : procedure(study, small_plan(study, swapped)) {}
+    Script(const stimuli::Study& study, SessionPlan plan) : procedure(study, std::move(plan)) {}
 
     void at(double time_s, const Event& event) {
         for (Row& row : procedure.step(event, {time_s, fmt::format("t{}", time_s)})) {

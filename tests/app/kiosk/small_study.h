@@ -19,7 +19,7 @@ inline stimuli::Study small_study(int count, int grey_ms = 2000) {
     study.title = "A small study";
     study.question = "Which image looked the most realistic?";
     study.instructions = "Look at both images.";
-    study.grey_ms = grey_ms;
+    study.presentation.grey_ms = grey_ms;
     study.seed = 5;
     study.sha256 = std::string(64, '5');
     study.scenes.push_back({"court", "atrium", "nave", stimuli::Validity::kHigh});
@@ -64,7 +64,7 @@ inline SessionPlan small_plan(const stimuli::Study& study, bool swapped = false)
     plan.order.latin_square = 0;
     plan.order.latin_row = 3;
     plan.order.swapped = swapped;
-    for (int i = static_cast<int>(study.conditions.size()) - 1; i >= 0; --i) {
+    for (int i = study.pair_count() - 1; i >= 0; --i) {
         plan.order.conditions.push_back(i);
     }
     plan.machine = {"obscura 1", "an operating system", "a renderer", "a display", 60.0};

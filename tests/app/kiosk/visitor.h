@@ -38,6 +38,8 @@ inline constexpr double kAgain_s = 2.0;
 /// For the tests that are not about how soon a page takes input.
 inline constexpr const char* kSoon = "input_delay_ms = 100\n";
 
+inline constexpr const char* kOverride = "a display for a test";
+
 inline void pause(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
@@ -56,6 +58,8 @@ class Visitor {
         std::vector<std::string> command{OBSCURA_PROGRAM, "--data", shown_.data.string(), "run",
                                          shown_.file.string()};
         if (place_ == Place::kWindow) command.emplace_back("--windowed");
+        // An X server without a screen has no refresh to wait for.
+        command.insert(command.end(), {"--override", kOverride});
         program_ = ChildProcess(command, -1, log().string());
         await("the first page", [this] { return sees_page(); });
         settle();
@@ -76,6 +80,10 @@ class Visitor {
         }
         give_up("the end of the program");
     }
+    [[nodiscard]] bool runs() {
+        int code = -1;
+        return !program_.wait(0.0, code);
+    }
     /// Of the program, when it has ended.
     [[nodiscard]] int exit_code() {
         int code = -1;
@@ -86,7 +94,7 @@ class Visitor {
     void press(const std::string& key) const { display_.key(key); }
     void click(int x, int y) const { display_.click(x, y); }
     /// Until what is shown takes input.
-    void settle() const { pause(shown_.study.input_delay_ms / 1000.0 + 0.1); }
+    void settle() const { pause(shown_.study.presentation.input_delay_ms / 1000.0 + 0.1); }
     void press_until(const std::string& key, const std::string& what,
                      const std::function<bool()>& condition) const {
         for (double waited_s = 0.0; waited_s < kPatience_s; waited_s += kAgain_s) {

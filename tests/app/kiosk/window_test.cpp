@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "app/kiosk/pace.h"
+#include "app/kiosk/self_test.h"
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/ui.h"
 #include "renderer/base/error.h"
@@ -159,6 +160,84 @@ TEST(Pace, CountsWholePeriodsBeyondTheFirstChance) {
     EXPECT_EQ(dropped_frames(pace, 1.0, 1.0199), 1);
     EXPECT_EQ(dropped_frames(pace, 1.0, 1.0299), 2);
     EXPECT_EQ(dropped_frames(pace, 1.0, 0.995), 0);
+}
+
+TEST(KioskWindow, TheSelfTestMeasuresEachAlternationAndKeyAndSaysWhatItsTimesAre) {
+    const ShownStudy shown(2, 2000);
+    const VirtualDisplay display(1024, 768);
+    KioskOptions options;
+    options.windowed = true;
+    const SelfTestRun run = run_self_test(shown.study, options, 8);
+    EXPECT_EQ(run.error_ms.size(), 8U);
+    EXPECT_EQ(run.test.error_ms, figures_of(run.error_ms));
+    EXPECT_EQ(run.key_to_swap_ms.size(), 2U);
+    for (const double error_ms : run.error_ms) EXPECT_GE(error_ms, -1e-6) << "never too early";
+    for (const double latency_ms : run.key_to_swap_ms) EXPECT_GT(latency_ms, 0.0);
+    EXPECT_FALSE(run.test.waits) << "an X server without a screen has no refresh";
+    EXPECT_FALSE(run.test.holds());
+    EXPECT_EQ(run.test.source, "glFinish after the swap");
+    EXPECT_THAT(run.test.display, HasSubstr("window"));
+}
+
+TEST(KioskWindow, SideBySideEachImageIsItsFilesBytesAndTheFirstIsWhereReadingBegins) {
+    const ShownStudy shown(2, 2000);
+    const VirtualDisplay display(1024, 768);
+    const Window window({0, false, room_beside(kImages)});
+    const Extent size = window.size();
+    const auto load = [&](std::size_t index) {
+        const auto& entry = shown.manifest.images[index];
+        return StimulusTexture(
+            load_stimulus(shown.folder, StimulusImage{entry.file, entry.sha256}, kImages));
+    };
+    const StimulusTexture left = load(0);
+    const StimulusTexture right = load(1);
+    draw_beside(left, right, size, 128);
+    const stimuli::RgbImage screen = read_back(size);
+    const Extent room = room_beside(kImages);
+    const auto pixels_of = [&](int from_x) {
+        stimuli::RgbImage part{kImages.width, kImages.height, {}};
+        const int from_y = size.height - (size.height - room.height) / 2 - room.height;
+        for (int y = 0; y < kImages.height; ++y) {
+            const auto at = static_cast<std::size_t>(((from_y + y) * size.width + from_x) * 3);
+            part.rgb.insert(part.rgb.end(), screen.rgb.begin() + static_cast<long>(at),
+                            screen.rgb.begin() + static_cast<long>(at) + kImages.width * 3);
+        }
+        return part;
+    };
+    const int from_x = (size.width - room.width) / 2;
+    EXPECT_EQ(pixels_of(from_x).rgb, shown.images.at(shown.manifest.images[0].sha256).rgb);
+    EXPECT_EQ(pixels_of(from_x + room.width - kImages.width).rgb,
+              shown.images.at(shown.manifest.images[1].sha256).rgb);
+    const auto tone_at = [&](int x) {
+        return screen.rgb[static_cast<std::size_t>((size.height / 2 * size.width + x) * 3)];
+    };
+    EXPECT_EQ(tone_at(size.width / 2), 128) << "grey between them";
+}
+
+TEST(KioskWindow, TheIntervalIsGreyOrHasItsCrossOrItsMask) {
+    ShownStudy shown(2, 2000);
+    const VirtualDisplay display(1024, 768);
+    const Window window({0, false, kImages});
+    const Extent size = window.size();
+    const auto screen_with = [&](stimuli::Interval interval) {
+        shown.study.presentation.interval = interval;
+        IntervalView(shown.study).draw(size);
+        return read_back(size);
+    };
+    const auto others = [&](const stimuli::RgbImage& screen) {
+        return wrong_pixels(screen, nullptr, size.width, size.height, 128);
+    };
+    EXPECT_EQ(others(screen_with(stimuli::Interval::kGrey)), 0);
+    const stimuli::RgbImage cross = screen_with(stimuli::Interval::kFixation);
+    EXPECT_EQ(others(cross), 2 * 10 * 2 - 4) << "two bars of 10 x 2 that share 2 x 2";
+    const auto middle =
+        static_cast<std::size_t>((size.height / 2 * size.width + size.width / 2) * 3);
+    EXPECT_EQ(cross.rgb[middle], 0);
+    const stimuli::RgbImage mask = screen_with(stimuli::Interval::kMask);
+    const int area = kImages.width * kImages.height;
+    EXPECT_GT(others(mask), area * 9 / 10);
+    EXPECT_LE(others(mask), area) << "in the images' place alone";
+    EXPECT_EQ(mask.rgb, screen_with(stimuli::Interval::kMask).rgb) << "the same each time";
 }
 
 }  // namespace
