@@ -15,9 +15,6 @@ class Option;
 
 namespace obscura::app {
 
-/// What an option is whose value was left out.
-inline constexpr const char* kNoValue = "true";
-
 /// One option as it is described: a handle, cheap to copy.
 class Option {
   public:
@@ -36,7 +33,7 @@ class Option {
     Option comma_separated() const;
     /// May be given several times, one value each time.
     Option repeatable() const;
-    /// Of a string: it may stand without a value, and is then kNoValue.
+    /// Of a string: it may stand without a value, and is then empty.
     Option value_optional() const;
     Option needs(const Option& other) const;
     Option excludes(const std::vector<Option>& others) const;

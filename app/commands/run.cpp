@@ -23,6 +23,8 @@
 namespace obscura::app {
 namespace {
 
+constexpr const char* kNotAsked = "not asked";
+
 struct RunOptions {
     std::string study = "jakobsen2010";
     std::string store_url;
@@ -30,7 +32,7 @@ struct RunOptions {
     bool windowed = false;
     std::string override_reason;
     bool set_pin = false;
-    std::string self_test;  ///< alternations, or kNoValue; empty: none
+    std::string self_test = kNotAsked;  ///< alternations; empty: the usual number
 };
 
 /// A store in a folder that is not there is most often a mistyped path: answers must not go astray.
@@ -48,7 +50,7 @@ constexpr int kUsualAlternations = 200;
 constexpr int kMostAlternations = 100'000;
 
 int alternations_in(const std::string& text) {
-    if (text == kNoValue) return kUsualAlternations;
+    if (text.empty()) return kUsualAlternations;
     int count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (error != std::errc() || end != text.data() + text.size() || count < 1 ||
@@ -127,7 +129,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.override_reason = options.override_reason;
     kiosk_options.data = globals.data;
     if (options.set_pin) return set_pin(globals.data);
-    if (!options.self_test.empty()) {
+    if (options.self_test != kNotAsked) {
         return self_test(study, kiosk_options, alternations_in(options.self_test), globals.quiet);
     }
     kiosk::run_kiosk(study, kiosk_options);
