@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "analysis/store/address.h"
-
 namespace obscura::analysis {
 
 std::size_t ConditionHash::operator()(const ConditionEntry& condition) const {
@@ -66,14 +64,6 @@ void AnswerTable::add(const TrialRecord& trial) {
     answer.first_shown = trial.first_shown;
     answer.expected = trial.expected;
     answers.push_back(answer);
-}
-
-AnswerTable read_answers(Store& store, const std::string& url) {
-    AnswerTable table;
-    table.source = without_password(url);
-    store.each_answer([&](const SessionRecord& session) { table.add(session); },
-                      [&](const TrialRecord& trial) { table.add(trial); });
-    return table;
 }
 
 }  // namespace obscura::analysis

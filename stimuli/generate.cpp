@@ -47,8 +47,11 @@ std::vector<Stimulus> select(const Study& study, const Selection& selection) {
     std::stable_sort(wanted.begin(), wanted.end(), [&study](const auto& left, const auto& right) {
         const StudyScene& a = study.scene_of(*left.condition);
         const StudyScene& b = study.scene_of(*right.condition);
-        return std::tie(a.source, a.settings.scale, a.id) <
-               std::tie(b.source, b.settings.scale, b.id);
+        // Last, what asks for the fewest buffers: it takes them over from the images before.
+        const bool few = left.choice().technique == "none";
+        const bool other_few = right.choice().technique == "none";
+        return std::tie(a.source, a.settings.scale, a.id, few) <
+               std::tie(b.source, b.settings.scale, b.id, other_few);
     });
     // Neighbouring images go to the same part, so that few parts need the same scene.
     const std::size_t count = wanted.size();

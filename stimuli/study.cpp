@@ -100,6 +100,11 @@ std::vector<StudyProblem> problems_of_study(std::string_view text,
     return read_study(text, builtin_scenes(), folder).problems;
 }
 
+namespace {
+/// Texts and conditions of thousands of pairs are a hundredth of this.
+constexpr std::uintmax_t kMostStudyBytes = 64 << 20;
+}  // namespace
+
 StudySource study_source(const std::string& file_or_name) {
     const std::string wanted = file_or_name.empty() ? std::string(kDefaultStudy) : file_or_name;
     const std::string_view builtin = embedded(embedded_file_of(wanted));
@@ -110,6 +115,11 @@ StudySource study_source(const std::string& file_or_name) {
             "there is no study file {} and no built-in study of that name; "
             "built in are {}",
             wanted, builtin_names());
+    }
+    const std::uintmax_t bytes = std::filesystem::file_size(wanted, ignored);
+    if (!ignored && bytes > kMostStudyBytes) {
+        throw base::bad_input("{} has {} bytes; allowed are study files of at most {}", wanted,
+                              bytes, kMostStudyBytes);
     }
     return {wanted, base::read_file(wanted), std::filesystem::path(wanted).parent_path()};
 }

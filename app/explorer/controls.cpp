@@ -8,10 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "app/explorer/cost_text.h"
 #include "app/explorer/fields.h"
 #include "app/explorer/flight.h"
+#include "app/explorer/gamepad.h"
 #include "app/explorer/keys.h"
 #include "app/window/letters.h"
 
@@ -27,13 +30,6 @@ constexpr float kLongestStep_s = 0.1F;
     return (more ? 1.0F : 0.0F) - (less ? 1.0F : 0.0F);
 }
 
-/// What moves the camera: metres by speed, radians.
-struct Push {
-    glm::vec3 fly{0.0F};
-    glm::vec2 turn{0.0F};
-    [[nodiscard]] bool any() const { return fly != glm::vec3(0.0F) || turn != glm::vec2(0.0F); }
-};
-
 [[nodiscard]] Push of_keys() {
     Push push;
     const ImGuiIO& io = ImGui::GetIO();
@@ -44,22 +40,18 @@ struct Push {
     return push;
 }
 
-[[nodiscard]] Push of_gamepad() {
-    Push push;
+/// The first of the joysticks that GLFW has a mapping for.
+[[nodiscard]] std::optional<GLFWgamepadstate> gamepad() {
     GLFWgamepadstate pad;
-    if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) != GLFW_TRUE) return push;
-    const auto stick = [&](int which) {
-        constexpr float kDead = 0.15F;
-        const float value = pad.axes[which];
-        return std::abs(value) < kDead ? 0.0F : value;
-    };
-    const auto trigger = [&](int which) { return std::max(0.0F, 0.5F * (pad.axes[which] + 1.0F)); };
-    push.fly = {stick(GLFW_GAMEPAD_AXIS_LEFT_X),
-                trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) - trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER),
-                -stick(GLFW_GAMEPAD_AXIS_LEFT_Y)};
-    if (std::abs(push.fly.y) < 0.05F) push.fly.y = 0.0F;
-    push.turn = {stick(GLFW_GAMEPAD_AXIS_RIGHT_X), -stick(GLFW_GAMEPAD_AXIS_RIGHT_Y)};
-    return push;
+    for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+        if (glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) return pad;
+    }
+    return std::nullopt;
+}
+
+[[nodiscard]] Push of_gamepad() {
+    const auto pad = gamepad();
+    return pad ? push_of_gamepad(std::span<const float, 6>(pad->axes)) : Push{};
 }
 
 void move(Desk& desk, const Push& push, float step_s) {
@@ -208,6 +200,8 @@ void digits(Desk& desk) {
 }
 
 }  // namespace
+
+bool has_gamepad() { return gamepad().has_value(); }
 
 bool keyboard_and_gamepad(Desk& desk, double frame_s) {
     const ImGuiIO& io = ImGui::GetIO();

@@ -11,4 +11,7 @@ namespace obscura::app::explorer {
 /// should come soon.
 bool keyboard_and_gamepad(Desk& desk, double frame_s);
 
+/// Whether there is one: it sends no events and has to be looked at.
+[[nodiscard]] bool has_gamepad();
+
 }  // namespace obscura::app::explorer

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/explorer/fitted_values.h"
 #include "app/explorer/model.h"
 #include "app/window/fonts.h"
 
@@ -71,6 +72,7 @@ struct PanelState {
     std::vector<Message> messages;
     float text_scale = 1.0F;
     std::map<char, KeptComparison> comparisons;  ///< by side
+    std::vector<FittedValues> fitted;            ///< of the last `measure --fit` in the data folder
     /// Middles of the fields, by panel and name (`b/radius_m`, `b/technique/hbao`), as they were
     /// drawn last: for those who drive the window from outside.
     std::map<std::string, glm::vec2> places;

@@ -23,6 +23,9 @@ namespace {
 
 constexpr double kLivelyWait_s = 1.0 / 60.0;
 constexpr double kIdleWait_s = 0.25;
+constexpr double kGamepadWait_s = 0.04;
+/// While an image is rendered, drawing the window more often would take the time from it.
+constexpr double kWindowEvery_s = 0.033;
 
 [[nodiscard]] Remembered remembered_for(const ExploreOptions& options) {
     if (options.reset) return {};
@@ -118,6 +121,7 @@ void Explorer::take_results() {
         if (there) {
             if (own_camera_) model_.look_from(*own_camera_, now_s);
             own_camera_.reset();
+            read_fitted();
             state_.speed_m_s = usual_speed_m_s(model_.scene()->bounds());
             window_.set_title("Obscura: " + model_.choices().scene.source);
         }
@@ -135,6 +139,15 @@ void Explorer::take_results() {
     if (!renderer_.device().empty() && software_ != renderer_.software()) {
         software_ = renderer_.software();
         model_.set_software(software_);
+    }
+}
+
+void Explorer::read_fitted() {
+    try {
+        state_.fitted = read_fitted_values(options_.data / "reports" / "measure" / "fitted.csv");
+    } catch (const std::exception& error) {
+        state_.fitted.clear();
+        say(fmt::format("No fitted values are offered: {}", error.what()), true);
     }
 }
 
@@ -192,7 +205,10 @@ bool Explorer::step() {
                         model_.moving(window_.now_s()) ||
                         model_.layout().arrangement == Arrangement::kFlicker;
     window_.set_text_scale(state_.text_scale);
-    window_.begin_frame(lively ? kLivelyWait_s : kIdleWait_s);
+    const double idle_s = has_gamepad() ? kGamepadWait_s : kIdleWait_s;
+    const bool shares = software_ && renderer_.busy() && !renderer_.has_answers();
+    window_.begin_frame(lively ? kLivelyWait_s : idle_s, shares ? frame_s_ + kWindowEvery_s : 0.0,
+                        [this] { return renderer_.has_answers(); });
     const std::optional<double> first_input_s = window_.first_input_s();
     const double now_s = window_.now_s();
     take_results();

@@ -53,6 +53,8 @@ class Explorer {
 
   private:
     void take_results();
+    /// What was measured for the scene may have come since.
+    void read_fitted();
     void ask_for_work();
     void draw(Desk& desk);
     void draw_side_panel(Desk& desk, const Box& box);

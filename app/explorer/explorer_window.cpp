@@ -154,11 +154,15 @@ void ExplorerWindow::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
-void ExplorerWindow::begin_frame(double wait_s) {
+void ExplorerWindow::begin_frame(double wait_s, double not_before_s,
+                                 const std::function<bool()>& at_once) {
     if (wait_s > 0.0) {
         glfwWaitEventsTimeout(wait_s);
     } else {
         glfwPollEvents();
+    }
+    while (now_s() < not_before_s && !(at_once && at_once())) {
+        glfwWaitEventsTimeout(std::max(1e-3, not_before_s - now_s()));
     }
     if (wanted_text_scale_ != text_scale_ || screen_scale() != screen_scale_) {
         load_fonts();

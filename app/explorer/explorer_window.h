@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,10 @@ class ExplorerWindow {
     void close();
     void set_title(const std::string& title);
 
-    /// Lets events in, for at most that long, and begins a frame of Dear ImGui.
-    void begin_frame(double wait_s);
+    /// Lets events in, for at most that long, and begins a frame of Dear ImGui: not before
+    /// `not_before_s`, unless `at_once` says so when the window is woken.
+    void begin_frame(double wait_s, double not_before_s = 0.0,
+                     const std::function<bool()>& at_once = {});
     /// Draws it and shows it.
     void end_frame();
     /// From any thread: ends the waiting of begin_frame.

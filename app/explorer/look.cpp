@@ -11,7 +11,6 @@
 namespace obscura::app::explorer {
 
 void set_look(float text_px) {
-    using namespace window::theme;
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
     ImGui::StyleColorsLight(&style);
@@ -26,34 +25,7 @@ void set_look(float text_px) {
     style.FrameRounding = text_px * 0.2F;
     style.PopupRounding = text_px * 0.2F;
     style.WindowMinSize = {1.0F, 1.0F};
-    ImVec4* colours = style.Colors;
-    colours[ImGuiCol_WindowBg] = kCard;
-    colours[ImGuiCol_PopupBg] = kFieldHovered;
-    colours[ImGuiCol_MenuBarBg] = kQuiet;
-    colours[ImGuiCol_Text] = kInk;
-    colours[ImGuiCol_TextDisabled] = kFaintInk;
-    colours[ImGuiCol_Border] = kLine;
-    colours[ImGuiCol_FrameBg] = kField;
-    colours[ImGuiCol_FrameBgHovered] = kFieldHovered;
-    colours[ImGuiCol_FrameBgActive] = kFieldHovered;
-    colours[ImGuiCol_CheckMark] = kAccent;
-    // The number is read through it.
-    colours[ImGuiCol_SliderGrab] = {kAccent.x, kAccent.y, kAccent.z, 0.35F};
-    colours[ImGuiCol_SliderGrabActive] = {kAccent.x, kAccent.y, kAccent.z, 0.5F};
-    colours[ImGuiCol_Button] = kQuiet;
-    colours[ImGuiCol_ButtonHovered] = kQuietHovered;
-    colours[ImGuiCol_ButtonActive] = kQuietPressed;
-    colours[ImGuiCol_Header] = kQuiet;
-    colours[ImGuiCol_HeaderHovered] = kQuietHovered;
-    colours[ImGuiCol_HeaderActive] = kQuietPressed;
-    colours[ImGuiCol_Tab] = kQuiet;
-    colours[ImGuiCol_TabHovered] = kFieldHovered;
-    colours[ImGuiCol_TabActive] = kField;
-    colours[ImGuiCol_PlotLines] = kAccent;
-    colours[ImGuiCol_PlotHistogram] = kAccent;
-    colours[ImGuiCol_NavHighlight] = kAccent;
-    colours[ImGuiCol_TextSelectedBg] = {kAccent.x, kAccent.y, kAccent.z, 0.3F};
-    colours[ImGuiCol_ModalWindowDimBg] = {0.1F, 0.1F, 0.1F, 0.5F};
+    window::theme::set_colours(style);
 }
 
 }  // namespace obscura::app::explorer

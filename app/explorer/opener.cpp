@@ -83,6 +83,7 @@ void Opener::work(const std::stop_token& ended) {
             number = number_;
         }
         open_it(opening);
+        const std::shared_ptr<LoadedScene> scene = opening.scene;
         {
             const std::lock_guard lock(mutex_);
             if (number != number_) continue;
@@ -90,6 +91,11 @@ void Opener::work(const std::stop_token& ended) {
             outcome_ = std::move(opening);
         }
         wake_();
+        if (!scene) continue;
+        scene->make_coarse([&] {
+            const std::lock_guard lock(mutex_);
+            return number == number_ && !ended.stop_requested();
+        });
     }
 }
 

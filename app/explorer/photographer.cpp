@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/frame/explain.h"
+#include "renderer/frame/kept_shadows.h"
 #include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
 
@@ -46,21 +47,46 @@ void add_own(const renderer::Frame& frame, const renderer::Recipe& recipe, Shot&
 
 void Photographer::load(const ShotRequest& request) {
     if (scene_ != request.scene) {
-        known_ = {};
-        gpu_.reset();
+        whole_ = {};
+        coarse_ = {};
         scene_ = request.scene;
-        gpu_ = std::make_unique<renderer::GpuScene>(*scene_->opened().scene);
+        whole_.gpu = std::make_unique<renderer::GpuScene>(*scene_->opened().scene);
         light_key_.clear();
     }
     const stimuli::StudyScene& wanted = request.choices.scene;
     const std::string key =
         fmt::format("{} {}", to_string(wanted.validity), stimuli::to_json(wanted.settings));
     if (key == light_key_) return;
-    known_ = {};
+    whole_.known = {};
+    coarse_.known = {};
     light_key_.clear();
     lighting_ = stimuli::with_settings(scene_->opened().lighting(wanted.validity), wanted.validity,
                                        wanted.settings, request.choices.folder);
     light_key_ = key;
+}
+
+Photographer::Stage& Photographer::stage_for(const ShotRequest& request) {
+    const CoarseScene* coarse =
+        software_ && request.quality == Quality::kMoving ? scene_->coarse() : nullptr;
+    if (coarse == nullptr) return whole_;
+    if (!coarse_.gpu) {
+        coarse_.gpu = std::make_unique<renderer::GpuScene>(coarse->scene, *whole_.gpu);
+    }
+    return coarse_;
+}
+
+void Photographer::forget_other_views(Stage& stage, const ShotRequest& request,
+                                      const renderer::FrameOptions& options, int width,
+                                      int height) const {
+    const std::string key = fmt::format("{}x{} {} {} {}", width, height, options.supersampling,
+                                        options.all_buffers, options.occluding_opacity.value_or(0));
+    if (request.afresh) {
+        stage.known = {};
+    } else if (key != stage.known_key || !same_view(request.camera, stage.known_camera)) {
+        stage.known = renderer::shadows_of(stage.known);
+    }
+    stage.known_key = key;
+    stage.known_camera = request.camera;
 }
 
 Shot Photographer::take(const ShotRequest& request, char side,
@@ -76,12 +102,8 @@ Shot Photographer::take(const ShotRequest& request, char side,
     options.all_buffers = !fine;
     const int width = std::max(1, choices.width / request.divisor);
     const int height = std::max(1, choices.height / request.divisor);
-    const std::string key = fmt::format("{}x{} {} {} {}", width, height, options.supersampling,
-                                        options.all_buffers, options.occluding_opacity.value_or(0));
-    if (request.afresh || key != known_key_ || !same_view(request.camera, known_camera_))
-        known_ = {};
-    known_key_ = key;
-    known_camera_ = request.camera;
+    Stage& stage = stage_for(request);
+    forget_other_views(stage, request, options, width, height);
     const auto trace = [&](const renderer::Camera& camera, int image_width, int image_height,
                            const renderer::Variant& choice) {
         const auto go_on = [&](double /*share*/) { return wanted(); };
@@ -97,11 +119,12 @@ Shot Photographer::take(const ShotRequest& request, char side,
     };
     const renderer::Variant& variant = choices.side(side);
     const auto rays = [this]() -> const renderer::ReferenceScene& { return scene_->rays(); };
-    const renderer::Frame frame = renderer_.render(
-        {*gpu_, lighting_, request.camera, options, trace, rays}, variant, width, height, known_);
+    const renderer::Frame frame =
+        renderer_.render({*stage.gpu, lighting_, request.camera, options, trace, rays}, variant,
+                         width, height, stage.known);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
-    if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
+    if (frame.taken_over().size() < buffers.times.size()) stage.known = std::move(buffers);
     Shot shot;
     shot.look = request.look;
     shot.quality = request.quality;
@@ -110,6 +133,7 @@ Shot Photographer::take(const ShotRequest& request, char side,
     shot.width = width;
     shot.height = height;
     shot.divisor = request.divisor;
+    shot.coarse = &stage == &coarse_;
     shot.supersampling = options.supersampling;
     shot.rgb = frame.read_display();
     if (request.buffers) {

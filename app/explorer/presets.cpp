@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "stimuli/paper_configurations.h"
 
 namespace obscura::app::explorer {
 namespace {
@@ -17,34 +18,23 @@ void add(std::vector<Preset>& presets, Preset preset) {
     if (!there) presets.push_back(std::move(preset));
 }
 
-/// What papers compare by numbers of samples, with the technique's published values.
-struct PaperSamples {
-    const char* technique;
-    const char* paper;
-    int samples;
-};
-constexpr std::array kPapers{
-    PaperSamples{"hemisphere", "Whinham 2017", 4},  PaperSamples{"hemisphere", "Whinham 2017", 8},
-    PaperSamples{"hemisphere", "Whinham 2017", 16}, PaperSamples{"hemisphere", "Whinham 2017", 32},
-    PaperSamples{"hemisphere", "Whinham 2017", 64}, PaperSamples{"hemisphere", "Whinham 2017", 128},
-};
-
+/// The radius stays the scene's.
 void add_papers(std::vector<Preset>& presets, const renderer::Technique& technique,
                 const renderer::Variant& now) {
-    for (const PaperSamples& paper : kPapers) {
-        if (technique.name != paper.technique) continue;
+    for (const stimuli::PaperConfiguration& paper : stimuli::paper_configurations()) {
+        if (paper.variant.technique != technique.name) continue;
         renderer::Variant variant = switched_to(technique, now);
-        variant.samples = paper.samples;
-        add(presets,
-            {fmt::format("{}, {} samples", paper.paper, paper.samples),
-             fmt::format("One of the numbers of samples that {} compares", paper.paper), variant});
+        variant.samples = paper.variant.samples;
+        variant.denoise = paper.variant.denoise;
+        for (const auto& [name, value] : paper.variant.parameters) variant.parameters[name] = value;
+        add(presets, {paper.name, paper.meaning, variant});
     }
 }
 
 }  // namespace
 
-std::vector<Preset> presets_of(const renderer::Variant& now,
-                               const std::optional<OpenStudy>& study) {
+std::vector<Preset> presets_of(const renderer::Variant& now, const std::optional<OpenStudy>& study,
+                               const std::vector<FittedValues>& fitted, const std::string& scene) {
     const std::string& technique = now.technique;
     std::vector<Preset> presets;
     const renderer::Technique* descriptor = renderer::find_technique(technique);
@@ -52,11 +42,21 @@ std::vector<Preset> presets_of(const renderer::Variant& now,
     for (const std::string& name : renderer::preset_names()) {
         renderer::Variant variant = switched_to(*descriptor, now);
         // Of several sets of values that reach as far: the radius is the scene's.
-        const bool fitted = name != renderer::preset_names().front();
+        const bool nearest = name != renderer::preset_names().front();
         if (!renderer::apply_preset(name, variant).empty()) continue;
         add(presets, {name,
-                      fitted ? "The values that come nearest to the truth, one set for all scenes"
-                             : "The source's own values: " + descriptor->citation,
+                      nearest ? "The values that come nearest to the truth, one set for all scenes"
+                              : "The source's own values: " + descriptor->citation,
+                      variant});
+    }
+    for (const FittedValues& values : fitted) {
+        if (values.scene != scene || values.technique != technique) continue;
+        renderer::Variant variant = now;
+        for (const auto& [name, value] : values.parameters) variant.parameters[name] = value;
+        add(presets, {fmt::format("fitted on {}", scene),
+                      fmt::format("What obscura measure --fit found for this scene: RMSE {} on the "
+                                  "cameras that it was found on",
+                                  values.rmse),
                       variant});
     }
     add_papers(presets, *descriptor, now);

@@ -36,6 +36,11 @@ RenderAnswers RenderWorker::take() {
     return std::exchange(answers_, {});
 }
 
+bool RenderWorker::has_answers() const {
+    const std::lock_guard lock(mutex_);
+    return !answers_.shots.empty() || !answers_.problems.empty();
+}
+
 std::string RenderWorker::device() const {
     const std::lock_guard lock(mutex_);
     return device_;

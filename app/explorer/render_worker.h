@@ -37,6 +37,8 @@ class RenderWorker {
     void ask(ShotRequest request, bool stop);
     [[nodiscard]] bool busy() const { return busy_; }
     [[nodiscard]] RenderAnswers take();
+    /// Whether there is something to take.
+    [[nodiscard]] bool has_answers() const;
     /// The driver's name and version; empty before the context is made.
     [[nodiscard]] std::string device() const;
     /// Whether it renders on the CPU; true until known.

@@ -55,6 +55,7 @@ struct Shot {
     int width = 0;
     int height = 0;
     int divisor = 1;
+    bool coarse = false;  ///< of a scene with fewer triangles, for a moment
     int supersampling = 1;
     std::vector<std::uint8_t> rgb;  ///< sRGB code values, upper row first
     renderer::FloatImage buffers;   ///< stimuli::buffers_of; without channels where not asked for

@@ -65,20 +65,7 @@ void set_style(float text_px) {
     style.ItemInnerSpacing = {std::round(text_px * 0.45F), std::round(text_px * 0.3F)};
     style.ScrollbarSize = text_px * 0.7F;
     style.DisabledAlpha = 1.0F;  // fading would make text too faint to read
-    ImVec4* colours = style.Colors;
-    colours[ImGuiCol_WindowBg] = kCard;
-    colours[ImGuiCol_Text] = kInk;
-    colours[ImGuiCol_TextDisabled] = kFaintInk;
-    colours[ImGuiCol_Border] = kLine;
-    colours[ImGuiCol_FrameBg] = kField;
-    colours[ImGuiCol_FrameBgHovered] = kFieldHovered;
-    colours[ImGuiCol_FrameBgActive] = kFieldHovered;
-    colours[ImGuiCol_CheckMark] = kAccent;
-    colours[ImGuiCol_Button] = kQuiet;
-    colours[ImGuiCol_ButtonHovered] = kQuietHovered;
-    colours[ImGuiCol_ButtonActive] = kQuietPressed;
-    colours[ImGuiCol_NavHighlight] = kAccent;
-    colours[ImGuiCol_TextSelectedBg] = {kAccent.x, kAccent.y, kAccent.z, 0.3F};
+    set_colours(style);
 }
 
 void heading(const Fonts& fonts, const std::string& text) {

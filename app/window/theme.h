@@ -23,4 +23,7 @@ inline const ImVec4 kQuietHovered{0.70F, 0.712F, 0.728F, 1.0F};
 inline const ImVec4 kQuietPressed{0.67F, 0.685F, 0.702F, 1.0F};
 inline const ImVec4 kComplaint{0.50F, 0.08F, 0.06F, 1.0F};
 
+/// Dear ImGui's style in these colours; its sizes are each window's own.
+void set_colours(ImGuiStyle& style);
+
 }  // namespace obscura::app::window::theme

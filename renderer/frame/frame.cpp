@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/frame/frame.h"
 
+#include "renderer/frame/kept_shadows.h"
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -48,7 +50,8 @@ bool depends_on_the_view_only(Phase phase) {
 /// Whether a pass of one plan gives what the same pass of another one gave.
 bool gives_the_same(const PlannedPass& pass, const FramePlan& plan, const FramePlan& known) {
     if (!depends_on_the_view_only(pass.phase) || !known.has(pass.phase)) return false;
-    if (!(plan.needs == known.needs) || !(plan.options == known.options)) return false;
+    if (!(plan.needs == known.needs)) return false;
+    if (pass.phase != Phase::kShadow && !(plan.options == known.options)) return false;
     if (pass.phase == Phase::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
         return false;
     }
@@ -102,6 +105,21 @@ Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) 
             "error 0x{:x}",
             plan_.width, plan_.height, plan_.bytes(), error);
     }
+}
+
+ViewBuffers shadows_of(const ViewBuffers& buffers) {
+    ViewBuffers shadows = buffers;
+    std::erase_if(shadows.plan.passes,
+                  [](const PlannedPass& pass) { return pass.phase != Phase::kShadow; });
+    std::erase_if(shadows.times, [](const PassTime& time) { return time.phase != Phase::kShadow; });
+    std::erase_if(shadows.textures, [&](const auto& texture) {
+        return std::none_of(
+            shadows.plan.passes.begin(), shadows.plan.passes.end(), [&](const PlannedPass& pass) {
+                return std::find(pass.writes.begin(), pass.writes.end(), texture.first) !=
+                       pass.writes.end();
+            });
+    });
+    return shadows;
 }
 
 double Frame::milliseconds() const {

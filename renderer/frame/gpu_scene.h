@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "renderer/frame/clusters.h"
 #include "renderer/gl/handles.h"
 #include "renderer/light/shadow.h"
 #include "renderer/scene/scene.h"
@@ -16,12 +17,16 @@ class GpuScene {
   public:
     /// Throws bad input naming mesh and index where an index or material is out of range.
     explicit GpuScene(const Scene& scene);
+    /// A coarser scene with the textures of the whole one, at half their size and filtered more
+    /// cheaply, for images that are seen for a moment. Both have the same materials and textures.
+    GpuScene(const Scene& coarser, const GpuScene& whole);
 
     struct Draw {
         GLsizei index_count = 0;
         std::size_t first_index = 0;
         GLint base_vertex = 0;
         std::uint32_t material = 0;
+        std::vector<Cluster> clusters = {};
     };
     /// A triangle that is seen through; its indices count all of the scene's vertices.
     struct BlendedTriangle {
@@ -37,6 +42,8 @@ class GpuScene {
             reinterpret_cast<const void*>(what.first_index * sizeof(std::uint32_t)),
             what.base_vertex);
     }
+    /// The same without what is out of view.
+    static void draw(const Draw& what, const Frustum& view);
     /// Everything that is not blended.
     [[nodiscard]] const std::vector<Draw>& draws() const { return draws_; }
     [[nodiscard]] const std::vector<BlendedTriangle>& blended() const { return blended_; }
@@ -48,6 +55,7 @@ class GpuScene {
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
   private:
+    void add_triangles(const Scene& scene);
     void add_blended(const Mesh& mesh, std::size_t first_vertex);
 
     gl::VertexArray vertex_array_;

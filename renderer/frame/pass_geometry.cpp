@@ -84,6 +84,7 @@ void Renderer::draw_opaque(Job& job, const CameraMatrices& camera, const std::st
     glDepthFunc(GL_LESS);
     glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFar);
     glBindVertexArray(job.scene.vertex_array());
+    const Frustum view(camera);
     // Surfaces without holes first: their shader discards nothing, and what they hide is not
     // shaded.
     for (const bool cut_out : {false, true}) {
@@ -97,7 +98,7 @@ void Renderer::draw_opaque(Job& job, const CameraMatrices& camera, const std::st
             const Material& material = job.scene.materials()[draw.material];
             if ((material.coverage == Coverage::kCutOut) != cut_out) continue;
             set_surface(job, shader, material);
-            job.scene.draw(draw);
+            GpuScene::draw(draw, view);
         }
     }
     glDisable(GL_CULL_FACE);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "renderer/frame/kept_shadows.h"
 #include "renderer/gl/context.h"
 #include "stimuli/stimulus.h"
 #include "tests/support/test_scenes.h"
@@ -143,6 +144,25 @@ TEST_F(TakenOver, IsNothingOfAnotherSizeFormatOrOption) {
     renderer::Variant half{"crytek", 24, {}, "none"};
     half.depth_format = "r16f";
     EXPECT_TRUE(render(half, {}, crytek.view_buffers()).taken_over().empty());
+}
+
+TEST_F(TakenOver, AreShadowsAloneWhereOnlyTheCameraMoved) {
+    const renderer::Scene scene = tests::scene_of_all_kinds();
+    const renderer::GpuScene gpu(scene);
+    lighting_.lights.push_back({glm::vec3(0.4F, 0.8F, 0.4F), glm::vec3(3.0F)});
+    const renderer::Variant choice = tests::choice_of("blizzard");
+    renderer::Camera camera = tests::forward_camera();
+    const Frame first = renderer_.render({gpu, lighting_, camera}, choice, 48, 32);
+    const renderer::ViewBuffers shadows = renderer::shadows_of(first.view_buffers());
+    camera.position_m += glm::vec3(0.3F, 0.1F, 0.2F);
+    const renderer::FrameOptions options{.supersampling = 2, .all_buffers = true};
+    const Frame alone = renderer_.render({gpu, lighting_, camera, options}, choice, 40, 24);
+    const Frame next = renderer_.render({gpu, lighting_, camera, options}, choice, 40, 24, shadows);
+    EXPECT_TRUE(has(next, Phase::kShadow));
+    EXPECT_EQ(next.taken_over().size(), 1U);
+    for (const renderer::PlannedTarget& planned : alone.plan().targets) {
+        EXPECT_TRUE(alone.read_bytes(planned) == next.read_bytes(planned)) << planned.name;
+    }
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ namespace {
     } else {
         size += ", full size";
     }
+    if (shown && shown->coarse) size += ", with fewer triangles";
     return fmt::format("{} {}, {}{}{}", choices.scene.source, to_string(choices.scene.validity),
                        size, desk.rendering ? ", rendering" : "",
                        desk.tracing ? ", tracing the truth" : "");

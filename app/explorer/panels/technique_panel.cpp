@@ -37,7 +37,9 @@ void technique_menu(Desk& desk, char side, const Variant& variant) {
 }
 
 void preset_menu(Desk& desk, char side, const Variant& variant) {
-    const std::vector<Preset> presets = presets_of(variant, desk.model.study());
+    const std::vector<Preset> presets =
+        presets_of(variant, desk.model.study(), desk.state.fitted,
+                   desk.model.scene() ? desk.model.scene()->opened().id : std::string());
     std::vector<std::string> names;
     std::vector<std::string> meanings;
     std::string now = "own values";

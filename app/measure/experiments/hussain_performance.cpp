@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/measure/experiment.h"
+#include "stimuli/paper_configurations.h"
 
 namespace obscura::app {
 namespace {
@@ -29,11 +30,14 @@ std::vector<Finding> judge_performance(const std::vector<Outcome>& outcomes) {
 }  // namespace
 
 Experiment hussain_performance() {
+    const auto performance = [](const char* technique) {
+        return stimuli::paper_variant("Hussain 2021, performance", technique);
+    };
     return {"hussain-5.2",
             "Hussain 2021, 5.2: performance configurations against the ray-traced reference",
-            {{"crytek", setting_of("crytek", 16, "box4")},
-             {"hbao", setting_of("hbao", 36, "box4", {"steps=6", "bias=0.3"})},
-             {"alchemy", setting_of("alchemy", 12, "box4")}},
+            {{"crytek", performance("crytek")},
+             {"hbao", performance("hbao")},
+             {"alchemy", performance("alchemy")}},
             judge_performance,
             "radii are each scene's own here, not the paper's, so that the reference has them too"};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/measure/experiment.h"
+#include "stimuli/paper_configurations.h"
 
 namespace obscura::app {
 namespace {
@@ -26,13 +27,15 @@ std::vector<Finding> judge_quality(const std::vector<Outcome>& outcomes) {
 }  // namespace
 
 Experiment hussain_quality() {
-    return {"hussain-5.3",
-            "Hussain 2021, 5.3: quality configurations without a filter",
-            {{"crytek", setting_of("crytek", 64, "none")},
-             {"hbao", setting_of("hbao", 256, "none", {"steps=16", "bias=0.3"})},
-             {"alchemy", setting_of("alchemy", 64, "none")}},
-            judge_quality,
-            "the paper's HBAO marches 20 steps, the most here are 16; radii are each scene's own"};
+    const auto quality = [](const char* technique) {
+        return stimuli::paper_variant("Hussain 2021, quality", technique);
+    };
+    return {
+        "hussain-5.3",
+        "Hussain 2021, 5.3: quality configurations without a filter",
+        {{"crytek", quality("crytek")}, {"hbao", quality("hbao")}, {"alchemy", quality("alchemy")}},
+        judge_quality,
+        "the paper's HBAO marches 20 steps, the most here are 16; radii are each scene's own"};
 }
 
 }  // namespace obscura::app

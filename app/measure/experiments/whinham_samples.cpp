@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/measure/experiment.h"
+#include "stimuli/paper_configurations.h"
 
 namespace obscura::app {
 namespace {
@@ -38,7 +39,9 @@ Experiment whinham_samples() {
                           "the paper's step at 128 samples, where the bandwidth of its GPU ends"};
     for (const int samples : kWhinhamSamples) {
         experiment.settings.push_back(
-            {std::to_string(samples), setting_of("hemisphere", samples, "box4")});
+            {std::to_string(samples),
+             stimuli::paper_variant(fmt::format("Whinham 2017, {} samples", samples),
+                                    "hemisphere")});
     }
     return experiment;
 }

@@ -204,7 +204,13 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     const auto scene = model().scene();
     base::write_file_atomically(folder_ / "zeros.glb", std::string(1 << 20, '\0'));
     base::write_file_atomically(folder_ / "picture.png", "no picture");
-    for (const char* name : {"zeros.glb", "picture.png", "gone.obj"}) {
+    // As large as they say, but with nothing on the disk.
+    for (const char* name : {"vast.glb", "vast.gltf", "vast.obj", "vast.toml"}) {
+        base::write_file_atomically(folder_ / name, "");
+        fs::resize_file(folder_ / name, std::uintmax_t{4} << 30);
+    }
+    for (const char* name : {"zeros.glb", "picture.png", "gone.obj", "vast.glb", "vast.gltf",
+                             "vast.obj", "vast.toml"}) {
         const std::size_t before = explorer_->state().messages.size();
         try {
             explorer_->open((folder_ / name).string());

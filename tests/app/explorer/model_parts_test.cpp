@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <limits>
@@ -12,9 +13,13 @@
 #include "app/explorer/history.h"
 #include "app/explorer/layout.h"
 #include "app/explorer/pacer.h"
+#include "app/explorer/presets.h"
 #include "app/explorer/remembered.h"
 #include "app/explorer/truth.h"
 #include "app/explorer/truth_worker.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "stimuli/paper_configurations.h"
 #include "tests/app/explorer/made_model.h"
 
 namespace obscura::app::explorer {
@@ -274,6 +279,61 @@ TEST(ExplorerRemembered, NonsenseIsAsIfNothingHadBeenKept) {
         EXPECT_LE(back.text_scale, 3.0F) << text;
         EXPECT_EQ(back.layout, Layout{}.sane()) << text;
     }
+}
+
+TEST(ExplorerPresets, AreThosePapersCompareWithTheRadiusOfTheScene) {
+    std::size_t found = 0;
+    for (const renderer::Technique& technique : renderer::techniques()) {
+        renderer::Variant now = renderer::standard_variant(technique);
+        if (technique.find_parameter("radius_m") != nullptr) now.parameters["radius_m"] = 0.3125;
+        for (const Preset& preset : presets_of(now, std::nullopt)) {
+            EXPECT_TRUE(renderer::problems_of(preset.variant).empty()) << preset.name;
+            EXPECT_EQ(preset.variant.technique, technique.name);
+            const auto radius = preset.variant.parameters.find("radius_m");
+            if (radius != preset.variant.parameters.end()) {
+                EXPECT_EQ(radius->second, 0.3125);
+            }
+            if (preset.name.find(" 20") != std::string::npos) ++found;
+        }
+    }
+    EXPECT_EQ(found, stimuli::paper_configurations().size());
+}
+
+TEST(ExplorerPresets, AreWhatAFitFoundOnThisScene) {
+    const std::vector<FittedValues> fitted = {{"atrium", "blizzard", {{"power", 12.5}}, "0.1"},
+                                              {"relic", "blizzard", {{"power", 3.0}}, "0.2"}};
+    const auto now = renderer::standard_variant(*renderer::find_technique("blizzard"));
+    int found = 0;
+    for (const Preset& preset : presets_of(now, std::nullopt, fitted, "atrium")) {
+        if (preset.name != "fitted on atrium") continue;
+        ++found;
+        EXPECT_EQ(preset.variant.parameters.at("power"), 12.5);
+    }
+    EXPECT_EQ(found, 1);
+}
+
+TEST(ExplorerPresets, OfAFitAreReadAsMeasureWritesThemAndRefusedWithTheirLineOtherwise) {
+    const auto file =
+        std::filesystem::temp_directory_path() / fmt::format("obscura-fitted-{}.csv", ::getpid());
+    EXPECT_TRUE(read_fitted_values(file).empty());
+    const std::string head =
+        "scene_id,scene,technique,samples,blur,parameter,published,fitted,"
+        "training_rmse_published,training_rmse_fitted,evaluations,same_view\n";
+    base::write_file_atomically(file, head +
+                                          "a,atrium,hbao,16,none,bias,0.5,0.25,0.2,0.1,50,false\n"
+                                          "a,atrium,hbao,16,none,power,1,2,0.2,0.1,50,false\n");
+    const auto values = read_fitted_values(file);
+    ASSERT_EQ(values.size(), 1U);
+    EXPECT_EQ(values[0].parameters, (std::map<std::string, double>{{"bias", 0.25}, {"power", 2}}));
+    base::write_file_atomically(file,
+                                head + "a,atrium,hbao,16,none,bias,0.5,nan,0.2,0.1,5,false\n");
+    try {
+        (void)read_fitted_values(file);
+        ADD_FAILURE() << "nan was read";
+    } catch (const base::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr(":2: fitted is \"nan\""));
+    }
+    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -4,7 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "app/explorer/flight.h"
 #include "app/explorer/starting_point.h"
@@ -149,6 +152,46 @@ TEST_F(ExplorerStudy, AFileThatChangedMeanwhileIsTakenOnlyWhereThatIsAskedFor) {
 TEST_F(ExplorerStudy, AReadOnlyStudyIsRefusedAndSaysWhatIsAllowed) {
     fs::permissions(file_, fs::perms::owner_read);
     EXPECT_THAT(refusal(shown(), entry()), AllOf(HasSubstr("read-only"), HasSubstr("allowed")));
+}
+
+TEST_F(ExplorerStudy, AFullDiskLosesNothingAndIsSaid) {
+    // No more bytes go into a file than this, as on a disk with that much left.
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto on_signal = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit little{100, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &little), 0);
+    const std::string message = refusal(shown(), entry());
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, on_signal);
+    EXPECT_THAT(message, AllOf(HasSubstr("mine.toml"), HasSubstr("File too large")));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+        << "something is left beside the study";
+    (void)write_into_study(shown(), entry());
+    EXPECT_EQ(stimuli::load_study(file_.string()).conditions.size(), 2U);
+}
+
+TEST_F(ExplorerStudy, SidesThatAreTablesOfTheirOwnAreLeftAloneAndSaid) {
+    const std::string text =
+        "[study]\nname = \"mine\"\ntitle = \"T\"\nquestion = \"Q?\"\ninstructions = \"I\"\n"
+        "resolution = [320, 180]\nseed = 1\norder = \"fixed\"\n[[scene]]\nid = \"relic-low\"\n"
+        "source = \"relic\"\ncamera = \"front\"\nvalidity = \"low\"\n[[condition]]\nid = \"I\"\n"
+        "scene = \"relic-low\"\n[condition.a]\ntechnique = \"none\"\n[condition.b]\n"
+        "technique = \"crytek\"\nsamples = 16\n";
+    base::write_file_atomically(file_, text);
+    StudyEntry one = entry();
+    one.scene_id = "relic-low";
+    one.condition_id = "I";
+    one.replaces = true;
+    Model model = shown();
+    model.look_from("front", 3.0);
+    one.scene_id = "relic-view-1";
+    EXPECT_THAT(refusal(model, one), HasSubstr("allowed is an inline table"));
+    // Beside them there is room.
+    one.condition_id = "II";
+    one.replaces = false;
+    (void)write_into_study(model, one);
+    EXPECT_THAT(base::read_file(file_), StartsWith(text));
 }
 
 TEST_F(ExplorerStudy, WhatAStudyWouldBeRefusedForIsSaidWithItsLine) {
