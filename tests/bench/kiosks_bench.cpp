@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -24,7 +25,6 @@
 #include "renderer/base/random.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/support/postgres.h"
-#include "tests/support/temporary_folder.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -240,10 +240,9 @@ void report(Bench& bench, double took_s) {
 
 int run(int sessions, int kiosks) {
     tests::PostgresServer& server = tests::PostgresServer::shared();
-    const tests::TemporaryFolder folder;
     Bench bench;
     bench.url = server.new_database();
-    bench.folder = folder.path();
+    bench.folder = std::filesystem::temp_directory_path() / unique_id("obscura-kiosks-bench");
     bench.sessions_left = sessions;
     { const Store made(bench.url, Store::Access::kReadWrite); }
     std::atomic<bool> done{false};
@@ -265,6 +264,7 @@ int run(int sessions, int kiosks) {
     fmt::print("{} kiosks, {} kills, {} connections cut, {} restarts of the server\n", kiosks,
                bench.kills.load(), cuts, restarts);
     report(bench, took_s);
+    std::filesystem::remove_all(bench.folder);
     return 0;
 }
 
