@@ -100,7 +100,7 @@ TEST_F(AttentionInSession, ASessionCutOffAnywhereGoesOnAtItsFirstUnansweredPair)
         (void)first.step(StartPressed{}, at(1.0));
         (void)first.step(ScreenPresented{}, at(2.0));
         for (const Row& row :
-             first.step(FormSubmitted{{30, "", std::nullopt, std::nullopt, true}}, at(3.0))) {
+             first.step(FormSubmitted{{{}, 30, "", std::nullopt, std::nullopt, true}}, at(3.0))) {
             commit(store_, row);
         }
         for (TrialRecord& trial : trials) {
