@@ -56,6 +56,11 @@ std::vector<Variant> variants_of(const AoOptions& options) {
     for (const std::string& technique : options.techniques) {
         VariantArguments arguments = options.variant;
         arguments.technique = technique;
+        // Beside others, what takes no samples is not asked for any.
+        const renderer::Technique* found = renderer::find_technique(technique);
+        if (options.techniques.size() > 1 && found != nullptr && found->samples.high == 0) {
+            arguments.samples.reset();
+        }
         variants.push_back(variant_from(arguments));
         if (renderer::find_technique(technique)->output == renderer::Output::kColour) {
             throw base::bad_input("--technique: {} makes colour and no accessibility", technique);

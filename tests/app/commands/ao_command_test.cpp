@@ -49,13 +49,17 @@ TEST(AoCommand, WritesATechniquesBuffer) {
     EXPECT_EQ(image.texts.at("obscura:samples"), "24");
 }
 
-TEST(AoCommand, HoldsSeveralTechniquesAndCamerasAgainstTheTruthOverSurfacesAlone) {
-    const tests::TemporaryFolder folder;
-    base::write_file_atomically(folder / "step.obj",
+/// A wall on a floor, which takes no time to build, and a view of it.
+std::string step_in(const std::filesystem::path& folder, const std::string& name = "step.obj") {
+    base::write_file_atomically(folder / name,
                                 "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
                                 "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
-    const std::string view =
-        "ao --scene step.obj --position 2,1.5,3 --look-at 2,0,-2 --size 48x27 --radius 0.5 ";
+    return "ao --scene " + name + " --position 2,1.5,3 --look-at 2,0,-2 ";
+}
+
+TEST(AoCommand, HoldsSeveralTechniquesAndCamerasAgainstTheTruthOverSurfacesAlone) {
+    const tests::TemporaryFolder folder;
+    const std::string view = step_in(folder) + "--size 48x27 --radius 0.5 ";
     const ProgramRun run =
         run_program(folder, view +
                                 "--technique none,blizzard,reference --samples 8 "
@@ -79,30 +83,31 @@ TEST(AoCommand, HoldsSeveralTechniquesAndCamerasAgainstTheTruthOverSurfacesAlone
 
 TEST(AoCommand, TakesAFileAsTheTruthOfTheSameViewAndOfNoOther) {
     const tests::TemporaryFolder folder;
-    const std::string relic = "ao --scene relic --size 32x18 ";
-    ASSERT_EQ(run_program(folder, relic + "--technique reference --samples 4 --radius 0.12 "
+    const std::string step = step_in(folder) + "--size 32x18 ";
+    step_in(folder, "other.obj");
+    ASSERT_EQ(run_program(folder, step + "--technique reference --samples 4 --radius 0.12 "
                                           "--out truth.exr")
                   .exit_code,
               0);
     const ProgramRun same = run_program(
-        folder, relic + "--technique reference --samples 4 --radius 0.12 --against truth.exr");
+        folder, step + "--technique reference --samples 4 --radius 0.12 --against truth.exr");
     EXPECT_EQ(same.exit_code, 0) << same.err;
     EXPECT_THAT(same.out, HasSubstr("0.0000"));
     const ProgramRun radius =
-        run_program(folder, relic + "--technique blizzard --radius 0.2 --against truth.exr");
+        run_program(folder, step + "--technique blizzard --radius 0.2 --against truth.exr");
     EXPECT_THAT(radius.out, HasSubstr("truth.exr is of the radius 0.12 m, the buffer of 0.2 m"));
     for (const auto& [words, names] :
-         {std::pair{"--scene relic --size 16x9", "32x18"},
-          {"--scene relic --size 32x18 --position 1,1,1 --look-at 0,0,0", "camera"},
-          {"--scene machine --size 32x18", "scene"}}) {
+         {std::pair{"--scene step.obj --position 2,1.5,3 --look-at 2,0,-2 --size 16x9", "32x18"},
+          {"--scene step.obj --position 1,1,1 --look-at 0,0,0 --size 32x18", "camera"},
+          {"--scene other.obj --position 2,1.5,3 --look-at 2,0,-2 --size 32x18", "scene"}}) {
         const ProgramRun run =
             run_program(folder, std::string("ao --technique none --against truth.exr ") + words);
         EXPECT_EQ(run.exit_code, 2) << words;
         EXPECT_THAT(run.err, HasSubstr(names)) << words;
     }
     base::write_file_atomically(folder / "no.exr", "no image");
-    EXPECT_EQ(run_program(folder, relic + "--technique none --against no.exr").exit_code, 2);
-    EXPECT_EQ(run_program(folder, relic + "--technique none,blizzard --out both.exr").exit_code, 2);
+    EXPECT_EQ(run_program(folder, step + "--technique none --against no.exr").exit_code, 2);
+    EXPECT_EQ(run_program(folder, step + "--technique none,blizzard --out both.exr").exit_code, 2);
 }
 
 TEST(AoCommand, RefusesBadInputBeforeAnyWorkAndNamesIt) {

@@ -14,7 +14,7 @@
 namespace obscura::app::kiosk {
 namespace {
 
-constexpr int kUsualEvents = 1500;
+constexpr int kUsualEvents = 400;
 constexpr int kEventsAtOnce = 50;
 
 int events_wanted() {
