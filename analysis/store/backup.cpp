@@ -40,6 +40,7 @@ std::vector<fs::path> backups_of(const fs::path& folder, const std::string& stem
 fs::path back_up(Database& database, const fs::path& folder, const std::string& utc,
                  std::size_t keep) {
     base::require_writable_folder(folder, "backups");
+    fs::create_directories(folder);
     const std::string stem = fs::path(database.name()).stem().string();
     const fs::path file = folder / fmt::format("{}-{}.sqlite", stem, compact(utc));
     const fs::path part = folder / fmt::format(".{}.part", file.filename().string());

@@ -161,9 +161,9 @@ const CLI::App& chosen_app(const CLI::App& app) {
     return subs.empty() ? app : chosen_app(*subs.back());
 }
 
-/// Words that nothing took: options that are not there, with what may have been meant, or a value
-/// too many.
-std::string of_unknown(const CLI::App& program, const std::vector<std::string>& words) {
+/// Options among the words that neither the command nor the program has, with what may have been
+/// meant; empty where there is none.
+std::string of_unknown_options(const CLI::App& program, const std::vector<std::string>& words) {
     const CLI::App& chosen = chosen_app(program);
     std::vector<std::string> known;
     for (const CLI::App* app : {&chosen, &program}) {
@@ -173,11 +173,9 @@ std::string of_unknown(const CLI::App& program, const std::vector<std::string>& 
     }
     std::string text;
     for (const std::string& word : words) {
-        if (!word.starts_with("-")) {
-            text += fmt::format("{}\"{}\" is one value too many", text.empty() ? "" : "; ", word);
-            continue;
-        }
         const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with("--") || name == "--") continue;
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::optional<std::string> meant = base::nearest(name, known);
         text += fmt::format("{}there is no option {}{}", text.empty() ? "" : "; ", name,
                             meant ? fmt::format("; did you mean {}?", *meant) : "");
@@ -186,10 +184,16 @@ std::string of_unknown(const CLI::App& program, const std::vector<std::string>& 
 }
 
 /// What the library says, as the rest of the program would.
-std::string in_our_words(const CLI::App& program, const CLI::ParseError& error) {
+std::string in_our_words(const CLI::App& program, const CLI::ParseError& error,
+                         const std::vector<std::string>& words) {
     std::string text = error.what();
-    if (!program.remaining(true).empty() && error.get_name() == "ExtrasError") {
-        text = of_unknown(program, program.remaining(true));
+    const bool too_much = error.get_name() == "ExtrasError";
+    if (too_much || error.get_name() == "RequiredError") {
+        const std::string unknown = of_unknown_options(program, words);
+        if (!unknown.empty()) text = unknown;
+    }
+    if (const std::size_t at = text.rfind("not expected: "); too_much && at != std::string::npos) {
+        text = fmt::format("\"{}\" is one value too many", text.substr(text.rfind(' ') + 1));
     }
     const auto replace = [&](std::string_view from, std::string_view to) {
         if (const std::size_t at = text.find(from); at != std::string::npos) {
@@ -210,6 +214,7 @@ std::string in_our_words(const CLI::App& program, const CLI::ParseError& error) 
 }  // namespace
 
 bool CommandLine::parse(std::vector<std::string> words) {
+    const std::vector<std::string> given = words;
     std::reverse(words.begin(), words.end());
     try {
         app_->parse(std::move(words));
@@ -217,7 +222,7 @@ bool CommandLine::parse(std::vector<std::string> words) {
         app_->exit(asked);
         return false;
     } catch (const CLI::ParseError& error) {
-        throw base::bad_input("{}", in_our_words(*app_, error));
+        throw base::bad_input("{}", in_our_words(*app_, error, given));
     }
     return true;
 }

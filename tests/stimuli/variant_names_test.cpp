@@ -89,8 +89,8 @@ TEST(VariantNames, OfTheBuiltInStudySayWhichRadiusEachSceneHas) {
     EXPECT_EQ(names.at({"II", 'a'}), "None");
     EXPECT_EQ(names.at({"II", 'b'}), "Blizzard24 R 0.8");
     EXPECT_EQ(names.at({"V", 'b'}), names.at({"III", 'b'}));
-    EXPECT_EQ(names.at({"VII", 'b'}), "Blizzard24 R 0.2");
-    EXPECT_EQ(names.at({"VI", 'a'}), "Crytek24");
+    EXPECT_EQ(names.at({"VII", 'b'}), "Blizzard24 R 0.35");
+    EXPECT_EQ(names.at({"VI", 'a'}), "Crytek24 offset_scale 0.01");
     EXPECT_EQ(names.at({"IV", 'a'}), "Blizzard8");
 }
 

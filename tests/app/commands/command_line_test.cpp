@@ -33,9 +33,10 @@ void each_option(const DescribedCommand& command, const std::string& path,
 
 TEST(Vocabulary, HasOneKindOfValueForOneOptionWhereverItIs) {
     const std::set<std::string> words{
-        "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",   "KEY=VALUE", "URL",
-        "X,Y,Z", "LEVEL", "SCENE",  "ID",     "K/N", "FILE|reference", "REASON"};
-    const std::set<std::string> differ{"--out", "--scene", "--study"};
+        "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",    "KEY=VALUE", "URL",
+        "X,Y,Z", "LEVEL", "SCENE",  "ID",     "K/N", "FILE|reference", "REASON", "[N]"};
+    // A file or a folder; a condition's own share; a question of analyze and a level of light.
+    const std::set<std::string> differ{"--out", "--scene", "--study", "--share", "--validity"};
     std::map<std::string, std::string> kinds;
     each_option(made_program().described(), "obscura", [&](const auto& path, const auto& option) {
         EXPECT_FALSE(option.what.empty()) << path;
