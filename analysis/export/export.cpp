@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/log.h"
 
 namespace obscura::analysis {
 
@@ -43,6 +44,10 @@ void add_studies(const ExportJob& job, const std::string& folder) {
         }
         for (const ExportedImage& image : study.images) {
             const std::filesystem::path file = study.image_folder / image.file;
+            if (!std::filesystem::exists(file)) {
+                base::log::warn("{} is not there: the export goes without it", file.string());
+                continue;
+            }
             const std::string bytes = base::read_file(file);
             const std::string sha256 = base::sha256_hex(bytes);
             if (sha256 != image.sha256) {

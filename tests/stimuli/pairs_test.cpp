@@ -111,10 +111,12 @@ TEST(Pairs, OfTheThesisDifferInNothingButTheirAmbientOcclusion) {
         const Frame a = renderer.render({&condition, 'a'});
         const Frame b = renderer.render({&condition, 'b'});
         expect_shared_targets_equal(a, b, condition.id);
-        // IV fills the image, and its two techniques' radii leave no pixel at one value: there it is
-        // the buffers that they share which tell.
+        // IV fills the image, and its two techniques' radii leave no pixel at one value: there it
+        // is the buffers that they share which tell.
         const std::size_t seen = expect_equal_pixels_where_equally_open(a, b, condition.id);
-        if (condition.id != "IV") EXPECT_GT(seen, 100U) << condition.id << ": too little seen";
+        if (condition.id != "IV") {
+            EXPECT_GT(seen, 100U) << condition.id << ": too little seen";
+        }
         expect_finite(a, condition.id + "-a");
         expect_finite(b, condition.id + "-b");
     }

@@ -50,7 +50,7 @@ TEST(AoCommand, WritesATechniquesBuffer) {
 }
 
 /// A wall on a floor, which takes no time to build, and a view of it.
-std::string step_in(const std::filesystem::path& folder, const std::string& name = "step.obj") {
+std::string step_in(const tests::TemporaryFolder& folder, const std::string& name = "step.obj") {
     base::write_file_atomically(folder / name,
                                 "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
                                 "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
@@ -86,7 +86,7 @@ TEST(AoCommand, TakesAFileAsTheTruthOfTheSameViewAndOfNoOther) {
     const std::string step = step_in(folder) + "--size 32x18 ";
     step_in(folder, "other.obj");
     ASSERT_EQ(run_program(folder, step + "--technique reference --samples 4 --radius 0.12 "
-                                          "--out truth.exr")
+                                         "--out truth.exr")
                   .exit_code,
               0);
     const ProgramRun same = run_program(
