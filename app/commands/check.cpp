@@ -81,7 +81,8 @@ Findings findings_of(const std::string& word, const Globals& globals) {
     std::stable_sort(found.problems.begin(), found.problems.end(),
                      [](const auto& a, const auto& b) { return a.line < b.line; });
     if (!found.problems.empty()) return found;
-    const Images images = images_of(found.study, stimuli::stimuli_folder(globals.data, found.study));
+    const Images images =
+        images_of(found.study, stimuli::stimuli_folder(globals.data, found.study));
     found.warnings = warnings_of(found.study, images);
     for (const auto& notes : {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study),
                               stimuli::facts_of(found.study, images.manifest, images.pairs)}) {

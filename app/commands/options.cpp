@@ -187,8 +187,11 @@ std::string of_unknown_options(const CLI::App& program, const std::vector<std::s
 std::string in_our_words(const CLI::App& program, const CLI::ParseError& error,
                          const std::vector<std::string>& words) {
     std::string text = error.what();
-    const bool too_much = error.get_name() == "ExtrasError";
-    if (too_much || error.get_name() == "RequiredError") {
+    const auto is = [&error](CLI::ExitCodes code) {
+        return error.get_exit_code() == static_cast<int>(code);
+    };
+    const bool too_much = is(CLI::ExitCodes::ExtrasError);
+    if (too_much || is(CLI::ExitCodes::RequiredError)) {
         const std::string unknown = of_unknown_options(program, words);
         if (!unknown.empty()) text = unknown;
     }

@@ -18,7 +18,8 @@ struct VariantArguments {
     std::vector<std::string> settings;  ///< KEY=VALUE of parameters and options
     std::string denoise = "none";
     std::string preset = "published";
-    std::optional<double> radius_m = {};  ///< of the technique, where it has one; --set radius_m wins
+    std::optional<double> radius_m =
+        {};  ///< of the technique, where it has one; --set radius_m wins
 };
 
 /// --samples, --set, --radius, --preset and --denoise; the technique is the command's own.

@@ -51,9 +51,9 @@ std::vector<EGLDisplay> displays() {
     return list;
 }
 
-/// A current OpenGL 4.5 core context on that display; where there is none, `why` says so. The display
-/// stays open as long as the program runs: a driver may keep files of every display that is opened
-/// and closed, and another context may be on it.
+/// A current OpenGL 4.5 core context on that display; where there is none, `why` says so. The
+/// display stays open as long as the program runs: a driver may keep files of every display that is
+/// opened and closed, and another context may be on it.
 Made make_on(EGLDisplay display, std::string& why) {
     if (display == EGL_NO_DISPLAY) return {};
     EGLint major = 0;

@@ -54,7 +54,7 @@ std::string step_in(const tests::TemporaryFolder& folder, const std::string& nam
     base::write_file_atomically(folder / name,
                                 "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
                                 "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
-    return "ao --scene " + name + " --position 2,1.5,3 --look-at 2,0,-2 ";
+    return "ao --scene " + name + " --position 2,0.6,-0.4 --look-at 2,0.6,-2 ";
 }
 
 TEST(AoCommand, HoldsSeveralTechniquesAndCamerasAgainstTheTruthOverSurfacesAlone) {
@@ -97,9 +97,10 @@ TEST(AoCommand, TakesAFileAsTheTruthOfTheSameViewAndOfNoOther) {
         run_program(folder, step + "--technique blizzard --radius 0.2 --against truth.exr");
     EXPECT_THAT(radius.out, HasSubstr("truth.exr is of the radius 0.12 m, the buffer of 0.2 m"));
     for (const auto& [words, names] :
-         {std::pair{"--scene step.obj --position 2,1.5,3 --look-at 2,0,-2 --size 16x9", "32x18"},
+         {std::pair{"--scene step.obj --position 2,0.6,-0.4 --look-at 2,0.6,-2 --size 16x9",
+                    "32x18"},
           {"--scene step.obj --position 1,1,1 --look-at 0,0,0 --size 32x18", "camera"},
-          {"--scene other.obj --position 2,1.5,3 --look-at 2,0,-2 --size 32x18", "scene"}}) {
+          {"--scene other.obj --position 2,0.6,-0.4 --look-at 2,0.6,-2 --size 32x18", "scene"}}) {
         const ProgramRun run =
             run_program(folder, std::string("ao --technique none --against truth.exr ") + words);
         EXPECT_EQ(run.exit_code, 2) << words;
