@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-renderer::Scene build_block() {
+renderer::Scene build_paired_block() {
     renderer::Scene scene = tests::empty_scene();
     tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
     tests::add_box(scene, {-1.0F, -1.0F, -6.0F}, {1.0F, 0.5F, -4.0F});
@@ -45,7 +45,7 @@ const std::vector<BuiltinScene>& block_catalogue() {
                                                                 "nothing",
                                                                 {Validity::kLow, Validity::kHigh},
                                                                 {"forward"},
-                                                                build_block,
+                                                                build_paired_block,
                                                                 light_of}};
     return list;
 }
@@ -89,7 +89,7 @@ class PairFacts : public testing::Test {
 };
 
 TEST(SparseTruth, IsWhatTheWholeImagesPixelsShow) {
-    const renderer::ReferenceScene rays(build_block());
+    const renderer::ReferenceScene rays(build_paired_block());
     const renderer::Camera camera = tests::forward_camera();
     const int width = 230;  // no multiple of the step
     const int height = 131;
