@@ -15,7 +15,8 @@
 namespace obscura::stimuli {
 namespace {
 
-/// What is known of a scene and not mended: no more of it is let through, and nothing else.
+/// What is known of a scene and not mended. However much there is of it, it is let through, and
+/// nothing else is; not every reason was traced to its triangles.
 struct Known {
     const char* scene;
     const char* starts;  ///< of the line that tells it
