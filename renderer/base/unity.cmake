@@ -3,7 +3,7 @@
 # in the unnamed namespaces of a folder should differ; a source that SKIP_UNITY_BUILD_INCLUSION is
 # set for stays alone.
 function(obscura_unity target)
-    set(at_a_time 12)
+    set(at_a_time 32)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
         get_filename_component(folder "${source}" DIRECTORY)
