@@ -27,7 +27,7 @@ bool may_blur(const Scene& scene, const Texture& texture) {
     return only_roughness;
 }
 
-[[nodiscard]] GLenum format_of(const Texture& texture) {
+[[nodiscard]] GLenum texture_format(const Texture& texture) {
     return texture.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
 }
 [[nodiscard]] GLsizei levels_of(const Texture& texture) {
@@ -48,8 +48,8 @@ gl::Texture coarser_copy(const Texture& texture, GLuint of) {
     const GLsizei left_out = levels_of(texture) > 1 ? 1 : 0;
     const GLsizei levels = levels_of(texture) - left_out;
     const auto size_at = [&](int size, GLsizei level) { return std::max(1, size >> level); };
-    glTextureStorage2D(copy.name(), levels, format_of(texture), size_at(texture.width, left_out),
-                       size_at(texture.height, left_out));
+    glTextureStorage2D(copy.name(), levels, texture_format(texture),
+                       size_at(texture.width, left_out), size_at(texture.height, left_out));
     for (GLsizei level = 0; level < levels; ++level) {
         const GLsizei from = level + left_out;
         glCopyImageSubData(of, GL_TEXTURE_2D, from, 0, 0, 0, copy.name(), GL_TEXTURE_2D, level, 0,
@@ -62,7 +62,7 @@ gl::Texture coarser_copy(const Texture& texture, GLuint of) {
 gl::Texture upload(const Scene& scene, const Texture& texture) {
     check_texture(scene, texture);
     gl::Texture result = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
-    glTextureStorage2D(result.name(), levels_of(texture), format_of(texture), texture.width,
+    glTextureStorage2D(result.name(), levels_of(texture), texture_format(texture), texture.width,
                        texture.height);
     glTextureSubImage2D(result.name(), 0, 0, 0, texture.width, texture.height, GL_RGBA,
                         GL_UNSIGNED_BYTE, texture.rgba.data());

@@ -11,7 +11,7 @@
 namespace obscura::renderer {
 namespace {
 
-constexpr double kRadius_m = 0.3;
+constexpr double kCheckedRadius_m = 0.3;
 
 enum class Normals { kSound, kZero, kOpposite };
 
@@ -46,7 +46,7 @@ void run_not_a_number(Bench& bench, const Technique& technique) {
     for (const auto& [normals, what] : kinds) {
         for (const double share : {0.0, 1e-8, 1.0}) {
             bench.allow_uncertain(share < 1.0);
-            Variant choice = Bench::settings(technique, kRadius_m);
+            Variant choice = Bench::settings(technique, kCheckedRadius_m);
             choice.unclamped = true;
             const std::string quantity =
                 fmt::format("{}, {}", what, scale_reach(technique, share, choice));
