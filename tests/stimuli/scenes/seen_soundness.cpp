@@ -29,6 +29,25 @@ struct Hit {
     glm::vec3 normal{0.0F};  ///< unit length
 };
 
+/// From a point to a triangle.
+float distance_to(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    const auto inside = [&](const glm::vec3& from, const glm::vec3& to) {
+        return glm::dot(glm::cross(to - from, p - from), normal) >= 0.0F;
+    };
+    const float area = glm::length(normal);
+    if (area > 0.0F && inside(a, b) && inside(b, c) && inside(c, a)) {
+        return std::abs(glm::dot(p - a, normal)) / area;
+    }
+    const auto to_edge = [&](const glm::vec3& from, const glm::vec3& to) {
+        const glm::vec3 way = to - from;
+        const float length2 = std::max(glm::dot(way, way), 1e-20F);
+        const float t = std::clamp(glm::dot(p - from, way) / length2, 0.0F, 1.0F);
+        return glm::distance(p, from + t * way);
+    };
+    return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+}
+
 /// The scene's triangles, all of them but of blended surfaces, for single rays from any side.
 class Triangles {
   public:
@@ -92,6 +111,41 @@ class Triangles {
         };
         RTCRayHit ray = ray_of(from, way, near, far, mask);
         rtcIntersect1(embree_, &context, &ray);
+    }
+
+    /// Whether a triangle for which `of_interest(mesh, triangle)` comes within `radius_m`.
+    [[nodiscard]] bool any_near(const glm::vec3& at, float radius_m,
+                                const std::function<bool(unsigned, unsigned)>& of_interest) const {
+        struct Asked {
+            const Scene* scene;
+            const std::function<bool(unsigned, unsigned)>* of_interest;
+            glm::vec3 at;
+            float radius_m;
+            bool found;
+        } asked{&scene_, &of_interest, at, radius_m, false};
+        RTCPointQuery query{};
+        query.x = at.x;
+        query.y = at.y;
+        query.z = at.z;
+        query.radius = radius_m;
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        rtcPointQuery(
+            embree_, &query, &context,
+            [](RTCPointQueryFunctionArguments* call) {
+                auto* asking = static_cast<Asked*>(call->userPtr);
+                const Mesh& mesh = asking->scene->meshes[call->geomID];
+                const auto corner = [&](std::size_t i) {
+                    return mesh.vertices[mesh.indices[3 * call->primID + i]].position_m;
+                };
+                if ((*asking->of_interest)(call->geomID, call->primID) &&
+                    distance_to(asking->at, corner(0), corner(1), corner(2)) < asking->radius_m) {
+                    asking->found = true;
+                }
+                return false;
+            },
+            &asked);
+        return asked.found;
     }
 
   private:
@@ -237,6 +291,39 @@ std::vector<std::uint32_t> pieces_of(const Mesh& mesh, std::uint32_t first) {
     return pieces;
 }
 
+/// Marks those pieces that come near another although no ray says so, as where two lie edge to edge
+/// in one plane: looks around the corners of both.
+void look_around(const Scene& scene, const Triangles& triangles,
+                 const std::vector<std::vector<std::uint32_t>>& piece_of,
+                 std::vector<char>& touches) {
+    const auto for_corners = [&](const std::function<void(std::uint32_t, const glm::vec3&)>& see) {
+        for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+            const Mesh& mesh = scene.meshes[m];
+            for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+                see(piece_of[m][i / 3], mesh.vertices[mesh.indices[i]].position_m);
+            }
+        }
+    };
+    std::map<std::uint32_t, std::pair<glm::vec3, glm::vec3>> alone;  // with their boxes
+    for_corners([&](std::uint32_t own, const glm::vec3& at) {
+        if (touches[own] != 0) return;
+        auto& [low, high] = alone.try_emplace(own, at, at).first->second;
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    });
+    for_corners([&](std::uint32_t own, const glm::vec3& at) {
+        for (const auto& [piece, box] : alone) {
+            const bool outside = glm::any(glm::lessThan(at, box.first - kTouch_m)) ||
+                                 glm::any(glm::greaterThan(at, box.second + kTouch_m));
+            if (outside || touches[piece] != 0) continue;
+            const bool met = triangles.any_near(at, kTouch_m, [&](unsigned mesh, unsigned t) {
+                return own == piece ? piece_of[mesh][t] != piece : piece_of[mesh][t] == piece;
+            });
+            if (met) touches[piece] = 1;
+        }
+    });
+}
+
 /// Of each piece, in cubic metres about its first corner: negative for a cavity, whose faces are
 /// turned inwards.
 std::vector<double> volumes_of(const Scene& scene,
@@ -310,6 +397,7 @@ std::vector<std::string> floating_pieces(const Scene& scene) {
             }
         }
     }
+    look_around(scene, triangles, piece_of, touches);
     const std::vector<double> volumes = volumes_of(scene, piece_of, count);
     std::vector<char> told(count, 0);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
