@@ -42,10 +42,11 @@ void leave_out_underside(renderer::Mesh& mesh) {
     mesh.indices = std::move(kept);
 }
 
-/// What the piece stands on: a round of slate that every view shows whole, so that no surface meets
-/// the border of an image, where a technique finds nothing to sample beyond it.
+/// What the piece stands on: a round of slate, whole in the views of the whole piece. Were it
+/// larger, it would meet the border of the image, beyond which a technique finds nothing to sample:
+/// a band.
 renderer::Mesh stand() {
-    constexpr float kRadius_m = 0.575F;
+    constexpr float kRadius_m = 0.548F;
     const std::array<glm::vec2, 8> profile{{{0.0F, -0.036F},
                                             {kRadius_m - 0.006F, -0.036F},
                                             {kRadius_m, -0.030F},
@@ -58,7 +59,7 @@ renderer::Mesh stand() {
     mesh.name = "stand";
     mesh.material = 1;
     Placement placement;
-    placement.tint = glm::vec3(0.27F, 0.275F, 0.28F);
+    placement.tint = glm::vec3(0.085F, 0.088F, 0.092F);
     append(mesh, revolve(profile, 160), placement);
     return mesh;
 }
@@ -108,7 +109,7 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.88F, 1.11F, 1.38F}, {0.02F, 0.50F, 0.02F}, 0.90F),
+    scene.cameras = {camera("front", {-0.88F, 1.11F, 1.38F}, {0.02F, 0.475F, 0.02F}, 0.91F),
                      camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.55F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;
