@@ -313,6 +313,7 @@ TEST_F(ExplorerDriven, ADriverThatIsResetEndsTheWindowAndLosesNothing) {
     }
     const fs::path kept = folder_ / "data" / "explore" / "kept.toml";
     EXPECT_THAT(said, testing::HasSubstr(kept.string()));
+    ASSERT_TRUE(fs::exists(kept)) << said;
     explorer_.reset();
     // Where it names, it goes on.
     ExploreOptions options;
