@@ -63,8 +63,8 @@ std::string cost_words(const Analysis& analysis) {
     for (const HypothesisResult& result : analysis.hypotheses) {
         if (result.pooling.has_value()) conditions = std::max(conditions, result.conditions.size());
     }
-    constexpr std::size_t kMostConditions = 100;
-    if (order.participants > kMostCosted || conditions > kMostConditions) {
+    constexpr std::size_t kMostCostedConditions = 100;
+    if (order.participants > kMostCosted || conditions > kMostCostedConditions) {
         return "One side for all pairs of a session costs power where a place is liked, since that "
                "liking then moves all votes of a participant the same way.";
     }

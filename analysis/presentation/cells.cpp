@@ -3,6 +3,7 @@
 #include "analysis/presentation/cells.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -32,6 +33,23 @@ std::string label_of(const ConditionVotes& condition) {
         fmt::format("{}: {} | {}", condition.id, condition.variant_a, condition.variant_b);
     if (!condition.validity.empty()) text += fmt::format(" ({})", condition.validity);
     return text;
+}
+
+std::string rule_words(const ExclusionRule& rule) {
+    std::vector<std::string> parts;
+    if (rule.min_catch_correct) {
+        parts.push_back(fmt::format("fewer than {} of the catch trials as expected",
+                                    percent(*rule.min_catch_correct)));
+    }
+    if (rule.min_repeat_agreement) {
+        parts.push_back(fmt::format("fewer than {} of repeated pairs answered alike",
+                                    percent(*rule.min_repeat_agreement)));
+    }
+    if (rule.min_response_time_s) {
+        parts.push_back(
+            fmt::format("a median response time below {:g} s", *rule.min_response_time_s));
+    }
+    return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", or "));
 }
 
 }  // namespace obscura::analysis

@@ -25,4 +25,7 @@ inline constexpr const char* kNoValue = "–";
 /// `III: Crytek24 | Blizzard24 (moderate)`
 [[nodiscard]] std::string label_of(const ConditionVotes& condition);
 
+/// Whom a study's rule leaves out, after "who has".
+[[nodiscard]] std::string rule_words(const ExclusionRule& rule);
+
 }  // namespace obscura::analysis

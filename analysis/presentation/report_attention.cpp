@@ -25,23 +25,6 @@ std::string share_cell(const Successes& trials) {
         percent(static_cast<double>(trials.successes) / static_cast<double>(trials.n)));
 }
 
-std::string rule_words(const ExclusionRule& rule) {
-    std::vector<std::string> parts;
-    if (rule.min_catch_correct) {
-        parts.push_back(fmt::format("fewer than {} of the catch trials as expected",
-                                    percent(*rule.min_catch_correct)));
-    }
-    if (rule.min_repeat_agreement) {
-        parts.push_back(fmt::format("fewer than {} of repeated pairs answered alike",
-                                    percent(*rule.min_repeat_agreement)));
-    }
-    if (rule.min_response_time_s) {
-        parts.push_back(
-            fmt::format("a median response time below {:g} s", *rule.min_response_time_s));
-    }
-    return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", or "));
-}
-
 PageTable left_out_table(const Analysis& analysis) {
     PageTable table{{"Participant", "Left out for"}, {}};
     for (const ParticipantResult& person : analysis.attention->participants) {

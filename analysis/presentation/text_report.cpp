@@ -142,7 +142,7 @@ std::string bayes_factor_text(const Possible<BayesFactor>& factor) {
 }
 
 /// What to believe of each share after the votes.
-std::string belief_table(const Analysis& analysis) {
+std::string belief_lines(const Analysis& analysis) {
     std::vector<TextRow> rows{
         {"condition", "share B expected", "95 % credible", "P(B preferred)", "BF10"}};
     for (const ConditionResult& result : analysis.conditions) {
@@ -239,7 +239,7 @@ std::string text_report(const Analysis& analysis, const std::vector<Caveat>& cav
         "p exact: two-sided exact binomial test. p Holm: p exact after Holm's correction over all "
         "conditions.\n"
         "95 % interval: Wilson's, of the share of B. g: Cohen's g, share of B minus one half.\n\n";
-    text += wrapped(words) + belief_table(analysis) + '\n';
+    text += wrapped(words) + belief_lines(analysis) + '\n';
     words =
         "Expected, credible, P: of the share of B, when every share was thought equally likely "
         "before (posterior with a flat prior). BF10: how many times likelier the votes are when "

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "analysis/conclusions/words.h"
+#include "analysis/presentation/cells.h"
 #include "analysis/presentation/text_layout.h"
 
 namespace obscura::analysis {
@@ -80,23 +81,6 @@ std::string left_out_words(const Attention& attention) {
     }
     if (count > named) text += fmt::format("  and {} more\n", count - named);
     return text;
-}
-
-std::string rule_words(const ExclusionRule& rule) {
-    std::vector<std::string> parts;
-    if (rule.min_catch_correct) {
-        parts.push_back(
-            fmt::format("a share of correct catch trials below {:g}", *rule.min_catch_correct));
-    }
-    if (rule.min_repeat_agreement) {
-        parts.push_back(fmt::format("a share of repeated answers that agree below {:g}",
-                                    *rule.min_repeat_agreement));
-    }
-    if (rule.min_response_time_s) {
-        parts.push_back(
-            fmt::format("a median response time below {:g} s", *rule.min_response_time_s));
-    }
-    return parts.empty() ? "nobody" : fmt::format("{}", fmt::join(parts, ", or "));
 }
 
 }  // namespace
@@ -178,7 +162,7 @@ std::string exclusions_text(const Analysis& analysis) {
     if (!analysis.exclusions.has_value()) return "";
     const Exclusions& exclusions = *analysis.exclusions;
     std::string text =
-        fmt::format("\nThe study's rule, fixed before the data, leaves out {}: {} of {}.\n",
+        fmt::format("\nThe study's rule, fixed before the data, leaves out who has {}: {} of {}.\n",
                     rule_words(exclusions.rule), exclusions.left_out,
                     counted(exclusions.participants, "participant"));
     if (exclusions.left_out == 0) return wrapped(text);

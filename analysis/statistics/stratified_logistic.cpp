@@ -87,15 +87,15 @@ struct Step {
 };
 
 Step newton_step(const std::vector<Stratum>& strata, double slope) {
-    struct Sums {
+    struct OfStratum {
         double gradient = 0.0, weight = 0.0, cross = 0.0;
     };
-    std::vector<Sums> sums;
+    std::vector<OfStratum> sums;
     sums.reserve(strata.size());
     Step step;
     double gradient = 0.0;
     for (const Stratum& stratum : strata) {
-        Sums own;
+        OfStratum own;
         double slope_weight = 0.0;
         double slope_gradient = 0.0;
         for (const Cell& cell : stratum.cells) {

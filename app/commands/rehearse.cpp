@@ -25,7 +25,7 @@ struct RehearseOptions {
 
 /// The images that were rendered, else none: an analysis needs no pixel of them, and a hash that is
 /// not there says so.
-stimuli::Manifest images_of(const stimuli::Study& study, const fs::path& data) {
+stimuli::Manifest rendered_images(const stimuli::Study& study, const fs::path& data) {
     const fs::path made = stimuli::stimuli_folder(data, study) / "manifest.json";
     if (fs::exists(made)) return stimuli::load_manifest(made);
     stimuli::Manifest manifest;
@@ -50,7 +50,7 @@ base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) 
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     base::require_writable_folder(folder, "--store");
     simulate_into_store(
-        study, images_of(study, globals.data), choices,
+        study, rendered_images(study, globals.data), choices,
         {file, "--store", options.participants, options.seed.value_or(study.seed), globals.quiet});
     fmt::print(
         "{} through the study {}, simulated: nobody has looked at these images.\n"

@@ -16,16 +16,16 @@ using tests::mantel_haenszel;
 using tests::People;
 using tests::Rates;
 
-constexpr int kStudies = 60;
+constexpr int kSeededStudies = 60;
 
 /// How far a share of so many may lie from what it is by chance.
 double chance(double share, double n) { return 3.3 * std::sqrt(share * (1.0 - share) / n); }
-double at_most(double share, double n = kStudies) { return share + chance(share, n); }
-double at_least(double share, double n = kStudies) { return share - chance(share, n); }
+double at_most(double share, double n = kSeededStudies) { return share + chance(share, n); }
+double at_least(double share, double n = kSeededStudies) { return share - chance(share, n); }
 
 Rates rates_of(const People& people, std::uint64_t seed = 7) {
     Rates rates;
-    tests::count_studies(people, 36, kStudies, seed, false, rates);
+    tests::count_studies(people, 36, kSeededStudies, seed, false, rates);
     return rates;
 }
 
@@ -58,12 +58,12 @@ TEST(Calibration, NoTestRejectsTooOftenAndEveryIntervalHoldsWhatItShould) {
     }
     const auto all = static_cast<double>(nulls.size());
     for (const char* name : kTests) {
-        EXPECT_LE(sums[name] / all, at_most(.05, all * kStudies)) << name;
+        EXPECT_LE(sums[name] / all, at_most(.05, all * kSeededStudies)) << name;
         EXPECT_GT(sums[name], 0.0) << name;
     }
     for (const char* name : kIntervals) {
-        EXPECT_GE(sums[name] / all, at_least(.93, all * kStudies)) << name;
-        EXPECT_LE(sums[name] / all, at_most(.97, all * kStudies)) << name;
+        EXPECT_GE(sums[name] / all, at_least(.93, all * kSeededStudies)) << name;
+        EXPECT_LE(sums[name] / all, at_most(.97, all * kSeededStudies)) << name;
     }
 }
 
