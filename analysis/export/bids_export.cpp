@@ -14,6 +14,7 @@
 
 #include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
+#include "analysis/export/question_table.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -88,8 +89,8 @@ void append_file(const std::string* file, std::string& out) {
 }
 
 /// The columns of a file of answers; the standard's own names where it has them.
-std::vector<ExportColumn<TrialRow>> trial_columns(const ExportSource& source) {
-    auto columns = bids_columns(source, trials_export());
+std::vector<ExportColumn<TrialRow>> trial_columns(ExportSource& source) {
+    auto columns = bids_columns(source, trials_with_ties(source));
     std::erase_if(columns, [](const auto& column) {
         return column.name == "participant_id" || column.name == "session_id" ||
                column.name == "exclusion" || column.name == "study_plan";
@@ -170,6 +171,7 @@ class BidsExport {
         write_participants();
         write_answers();
         write_other_events();
+        write_question_answers();
         write_tasks();
         write_description();
         write_stimuli();
@@ -240,6 +242,21 @@ class BidsExport {
             });
         });
         job_.folder.add("sourcedata/events.json", described(columns).dump(2) + '\n');
+    }
+
+    /// The standard has one table of answers a session, whose rows are the pairs: answers to
+    /// further questions of them stand among what is as it was.
+    void write_question_answers() {
+        if (!job_.source.has_questions()) return;
+        const auto columns = bids_columns(job_.source, answers_export(job_.source));
+        write_table(job_, "sourcedata/answers", columns, Layout::kBidsTsv, [&](const auto& take) {
+            job_.source.each_answer([&](const QuestionAnswer& answer, const SessionRecord& from) {
+                SessionRecord session = from;
+                session.participant_id = "sub-" + subjects_.of(from.participant_id);
+                take(QuestionRow{&answer, &session});
+            });
+        });
+        job_.folder.add("sourcedata/answers.json", described(columns).dump(2) + '\n');
     }
 
     std::string stem_of(const SessionRecord& session) {

@@ -128,6 +128,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.windowed = options.windowed;
     kiosk_options.override_reason = options.override_reason;
     kiosk_options.data = globals.data;
+    kiosk_options.questions = stimuli::load_questions(named);
     if (options.set_pin) return set_pin(globals.data);
     if (options.self_test != kNotAsked) {
         return self_test(study, kiosk_options, alternations_in(options.self_test), globals.quiet);

@@ -301,6 +301,7 @@ class Kiosk {
         plan.participant_id = unique_id("p");
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
+        plan.questions = options_.questions;
         plan.machine = machine_;
         plan.override_reason = options_.override_reason;
         plan.order = study_.session_order(stimuli::next_slot(taken));
@@ -348,7 +349,8 @@ class Kiosk {
                 return event.session_id == session.session_id &&
                        event.name == kInstructionsReadEvent;
             });
-        return resume(session, trials, instructions_read, std::move(plan));
+        plan.questions = options_.questions;
+        return resume(session, trials, so_far->events, instructions_read, std::move(plan));
     }
 
     /// Closing a session for good is asked about twice.
@@ -373,7 +375,8 @@ class Kiosk {
     }
 
     End resume(const analysis::SessionRecord& session,
-               const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
+               const std::vector<analysis::TrialRecord>& trials,
+               const std::vector<analysis::EventRecord>& events, bool instructions_read,
                SessionPlan plan) {
         plan.machine = machine_;
         plan.override_reason = options_.override_reason;
@@ -386,7 +389,7 @@ class Kiosk {
         }
         if (spool_) follow(session, trials);
         Procedure procedure(study_, std::move(plan));
-        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
+        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now, events));
     }
 
     /// Makes a session that goes on whole for the spool, as far as the server had it.

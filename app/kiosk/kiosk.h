@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/kiosk/window.h"
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {
@@ -18,8 +19,9 @@ struct KioskOptions {
         remedy;  ///< the command that makes the images, for the message that they are missing
     int monitor = 0;
     bool windowed = false;
-    std::string override_reason;  ///< why to go on where the start refuses; empty: it refuses
-    std::filesystem::path data;   ///< where the last self-test lies
+    std::string override_reason;        ///< why to go on where the start refuses; empty: it refuses
+    std::filesystem::path data;         ///< where the last self-test lies
+    stimuli::Questions questions = {};  ///< that the study asks of each pair
 };
 
 /// A window with room for what the study shows.
