@@ -206,7 +206,7 @@ Taken sessions_of(Store& store, const std::string& study, Kind kind) {
 }
 
 /// Whether B was chosen, by session and place of what people vote on.
-std::map<std::pair<std::string, int>, bool> votes_of(Store& store, const Taken& taken, Kind kind) {
+std::map<std::pair<std::string, int>, bool> chosen_by_pair(Store& store, const Taken& taken, Kind kind) {
     std::map<std::pair<std::string, int>, bool> votes;
     store.each_trial([&](const TrialRecord& trial, const SessionRecord&) {
         const bool is_vote = trial.kind == kind && trial.repeats.empty();
@@ -230,7 +230,7 @@ Possible<QuestionData> read_question_data(Store& store, const std::string& study
     }
     QuestionData data;
     data.asked = asked_questions(*taken.plans.begin());
-    const auto votes = votes_of(store, taken, kind);
+    const auto votes = chosen_by_pair(store, taken, kind);
     store.each_session_with_events(
         [&](const SessionRecord& session, const std::vector<EventRecord>& events) {
             if (!taken.participants.contains(session.session_id)) return;

@@ -120,7 +120,7 @@ void put_choice(Json& entry, const QuestionCondition& of) {
     entry["davidson"] = fit;
 }
 
-Json condition_json(const QuestionResult& result, const QuestionCondition& of) {
+Json pair_json(const QuestionResult& result, const QuestionCondition& of) {
     Json entry = {{"id", of.condition}};
     if (is_choice(result)) {
         put_choice(entry, of);
@@ -251,7 +251,7 @@ void put_questions(Json& report, const QuestionsResult& questions) {
                       {"is_first", result.is_first}};
         entry["conditions"] = Json::array();
         for (const QuestionCondition& of : result.conditions) {
-            entry["conditions"].push_back(condition_json(result, of));
+            entry["conditions"].push_back(pair_json(result, of));
         }
         if (result.question.kind == "confidence") {
             entry["against_agreement"] = confidence_json(result.confidence);

@@ -48,7 +48,7 @@ double lower_tail(const std::vector<std::size_t>& ranks, std::size_t sum) {
     return tail;
 }
 
-PValue p_value(double p) {
+PValue of_two_sides(double p) {
     p = std::min(1.0, p);
     return {p, std::log10(p)};
 }
@@ -63,7 +63,7 @@ PValue by_normal(const std::vector<std::size_t>& ranks, double positive) {
     }
     const double off = std::max(0.0, std::abs(positive - 0.5 * sum) - 0.5);
     const double z = off / std::sqrt(0.25 * squares);
-    return p_value(2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z)));
+    return of_two_sides(2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z)));
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Possible<SignedRankTest> signed_rank(const std::vector<double>& differences) {
     }
     test.positive = 0.5 * static_cast<double>(positive);
     test.is_exact = sizes.size() <= kMostRanked;
-    test.p = test.is_exact ? p_value(2.0 * lower_tail(ranks, std::min(positive, all - positive)))
+    test.p = test.is_exact ? of_two_sides(2.0 * lower_tail(ranks, std::min(positive, all - positive)))
                            : by_normal(ranks, test.positive);
     return test;
 }

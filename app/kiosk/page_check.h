@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {

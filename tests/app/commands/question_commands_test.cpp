@@ -117,7 +117,9 @@ TEST_F(QuestionCommands, EveryAnswerIsExportedOnceWithItsLabelAndEnglishId) {
     std::map<std::string, int> counts;
     for (const auto& row : rows) {
         ++counts[row.at("question") + ' ' + row.at("about")];
-        if (row.at("answer") == "none") EXPECT_EQ(row.at("label"), "Kein Unterschied");
+        if (row.at("answer") == "none") {
+            EXPECT_EQ(row.at("label"), "Kein Unterschied");
+        }
         if (row.at("question") == "sure" && row.at("answer") == "5") {
             EXPECT_EQ(row.at("label"), "sicher");
         }

@@ -170,6 +170,11 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
         [&](const Fonts& fonts) {
             (void)question_screen(fonts, study, {2, 9});
         },
+        [&](const Fonts& fonts) {
+            static const stimuli::Question kWithNone{"none", stimuli::QuestionKind::kChoiceOrNone,
+                                                     "?"};
+            (void)question_screen(fonts, study, {2, 9}, {&kWithNone, 0});
+        },
         [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
         [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
         [=](const Fonts& fonts) { draw_operator(fonts, study.words, OperatorView::Page::kPin); },
