@@ -15,6 +15,7 @@
 #include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
 #include "analysis/export/question_table.h"
+#include "analysis/export/screen_columns.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -154,6 +155,14 @@ Json stimulus_presentation(const SessionRecord& session) {
         {"SoftwareVersion", version},
         {"Display", session.display.empty() ? kUnknown : session.display},
         {"GraphicsRenderer", session.gpu_renderer.empty() ? kUnknown : session.gpu_renderer}};
+    // In metres, as the standard has them.
+    constexpr double kCmPerM = 100.0;
+    if (const auto distance = screen_fact(session, "viewing_distance_cm")) {
+        json["ScreenDistance"] = *distance / kCmPerM;
+    }
+    const auto width = screen_fact(session, "screen_width_cm");
+    const auto height = screen_fact(session, "screen_height_cm");
+    if (width && height) json["ScreenSize"] = {*width / kCmPerM, *height / kCmPerM};
     if (session.refresh_hz > 0.0) json["ScreenRefreshRate"] = session.refresh_hz;
     if (resolution) json["ScreenResolution"] = {resolution->first, resolution->second};
     return json;

@@ -14,9 +14,8 @@
 #include "app/window/letters.h"
 
 namespace obscura::app::kiosk {
-namespace {
 
-[[nodiscard]] int key_named(const std::string& name) {
+int key_named(const std::string& name) {
     static const std::map<std::string, int> kNamed{
         {"space", GLFW_KEY_SPACE},     {"enter", GLFW_KEY_ENTER},
         {"left", GLFW_KEY_LEFT},       {"right", GLFW_KEY_RIGHT},
@@ -27,6 +26,8 @@ namespace {
     return letter >= '0' && letter <= '9' ? GLFW_KEY_0 + (letter - '0')
                                           : window::key_of_letter(letter);
 }
+
+namespace {
 
 /// The names of an answer's keys. On a mirrored page the first image's button is at the right.
 [[nodiscard]] std::vector<std::string> keys_of(const AskedPage& page, int answer, bool mirrored) {

@@ -10,6 +10,9 @@
 
 namespace obscura::app::kiosk {
 
+/// The key (GLFW_KEY_...) that a study file calls so.
+[[nodiscard]] int key_named(const std::string& name);
+
 /// Whether a study file calls the key so that went down; a digit or Enter of the key pad too.
 [[nodiscard]] bool is_key(const KeyPress& press, const std::string& name);
 

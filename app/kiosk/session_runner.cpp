@@ -261,6 +261,7 @@ void SessionRunner::go_on_until_due() {
 void SessionRunner::draw_still(Screen screen) {
     const Extent frame = stage_.window.size();
     const int grey = stage_.study.presentation.grey_level;
+    stage_.window.light_patch(screen != Screen::kInterval);
     if (screen == Screen::kInterval) {
         interval_.draw(frame);
     } else if (screen == Screen::kBothImages) {
@@ -273,6 +274,7 @@ void SessionRunner::draw_still(Screen screen) {
 }
 
 void SessionRunner::draw_page(Screen screen) {
+    stage_.window.light_patch(false);
     const Fonts& fonts = stage_.ui.fonts();
     const Progress at = procedure_.progress();
     std::optional<Event> pressed;

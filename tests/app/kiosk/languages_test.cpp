@@ -117,7 +117,8 @@ void draw_operator(const Fonts& fonts, const stimuli::Words& words, OperatorView
     view.sessions = {"(reason)"};
     view.chosen = "(reason)";
     for (const char* key : {"op_sessions", "op_next", "op_checks", "op_disk", "op_timing",
-                            "op_selftest", "op_no_selftest", "op_backed_up", "op_withdrawn"}) {
+                            "op_selftest", "op_no_selftest", "op_backed_up", "op_withdrawn",
+                            "op_screen", "op_no_screen", "op_keys_free"}) {
         view.lines.push_back(words(key));
     }
     view.note = words("op_server_backs_up");
