@@ -122,7 +122,9 @@ ConfidenceResult confidence_of(const ByCondition& conditions) {
         differences.push_back(own.sum[1] / own.n[1] - own.sum[0] / own.n[0]);
     }
     result.difference = mean_rating(differences);
-    result.signed_rank = signed_rank(differences);
+    result.signed_rank = differences.empty()
+                             ? Possible<SignedRankTest>::none("nobody chose both ways")
+                             : signed_rank(differences);
     return result;
 }
 

@@ -115,7 +115,8 @@ KnownDisplays known_displays(const fs::path& data) {
             file.string());
     }
     known.monitor = json.value("monitor", "");
-    for (const auto& [name, facts] : json.value("monitors", Json::object()).items()) {
+    const Json monitors = json.value("monitors", Json::object());
+    for (const auto& [name, facts] : monitors.items()) {
         known.facts[name] = facts_in(facts, file.string() + ": " + name);
     }
     return known;
