@@ -68,7 +68,7 @@ TEST(QuestionsOfStudy, AStudyWithoutThemAsksItsOneQuestion) {
     EXPECT_TRUE(reading.questions.list.empty());
     EXPECT_EQ(reading.study.question, "Which?");
     EXPECT_EQ(plan_json(reading.study, reading.questions), reading.study.plan_json());
-    EXPECT_THAT(problems_asking(""), HasSubstr("study: question: is missing"));
+    EXPECT_THAT(problems_asking(""), HasSubstr("study: question is missing"));
 }
 
 TEST(QuestionsOfStudy, WhatIsAskedIsFixedInThePlanOfEachSession) {
@@ -87,7 +87,7 @@ TEST(QuestionsOfStudy, WhatIsAskedIsFixedInThePlanOfEachSession) {
 }
 
 TEST(QuestionsOfStudy, EverythingWrongIsNamedWithItsLineAndWhatIsAllowed) {
-    // The small study without its question has 26 lines.
+    // The small study without its question has 25 lines.
     EXPECT_THAT(
         problems_asking("\n[[question]]\nid = \"sure\"\nkind = \"confidence\"\ntext = \"Sure?\"\n"
                         "labels = [\"no\", \"yes\"]\n"),
@@ -96,7 +96,7 @@ TEST(QuestionsOfStudy, EverythingWrongIsNamedWithItsLineAndWhatIsAllowed) {
     const std::string after(kChoice);
     EXPECT_THAT(problems_asking(after + "[[question]]\nid = \"like\"\nkind = \"rating\"\n"
                                         "text = \"How good?\"\n"),
-                HasSubstr("question \"like\": labels: is missing"));
+                HasSubstr("question \"like\": labels is missing"));
     EXPECT_THAT(problems_asking(after + "[[question]]\nid = \"like\"\nkind = \"rating\"\n"
                                         "text = \"T\"\nlabels = [\"a\", \"b\"]\nmax = 12\n"),
                 HasSubstr("makes a scale of 12 steps from 1 to 12, allowed are 2 to 11"));
@@ -110,7 +110,7 @@ TEST(QuestionsOfStudy, EverythingWrongIsNamedWithItsLineAndWhatIsAllowed) {
     EXPECT_THAT(problems_asking(after + "keys = [[\"1\"], [\"1\"]]\n"),
                 HasSubstr("keys: \"1\" stands for two answers"));
     EXPECT_THAT(problems_asking(after + "keys = [[\"1\"], [\"F1\"]]\n"),
-                HasSubstr("study:32: question \"real\": keys: \"F1\" is no key, allowed is"));
+                HasSubstr("study:30: question \"real\": keys: \"F1\" is no key, allowed is"));
     EXPECT_THAT(problems_asking(after + "keys = [[\"1\"]]\n"), HasSubstr("keys: has 1 values"));
     EXPECT_THAT(problems_asking(after + "labels = [\"a\", \"a\"]\n"),
                 HasSubstr("labels: holds what is no text, an empty one or one twice"));

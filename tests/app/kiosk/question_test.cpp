@@ -70,7 +70,7 @@ TEST(QuestionsOfAPair, HaveAPageEachInTheirOrderAndThePairEndsWithTheLast) {
     script.at(37, AnswerPressed{6});
     EXPECT_EQ(script.procedure.asked().image, 2);
     script.shown_at(38);
-    script.at(39, AnswerPressed{0});
+    script.at(39, AnswerPressed{1});
     EXPECT_EQ(script.procedure.screen(), Screen::kPairs);
     EXPECT_EQ(script.procedure.pair(), 1);
 
@@ -90,9 +90,10 @@ TEST(QuestionsOfAPair, HaveAPageEachInTheirOrderAndThePairEndsWithTheLast) {
     EXPECT_DOUBLE_EQ(answers[0].response_time_s, 2.0);
     EXPECT_EQ(answers[1].about, "A");  // shown first
     EXPECT_EQ(answers[1].answer, "7");
-    EXPECT_EQ(answers[1].label, "7");
+    EXPECT_EQ(answers[1].label, "wholly");
     EXPECT_EQ(answers[2].about, "B");
-    EXPECT_EQ(answers[2].answer, "1");
+    EXPECT_EQ(answers[2].answer, "2");
+    EXPECT_EQ(answers[2].label, "2") << "a step between the ends has its number";
 }
 
 TEST(QuestionsOfAPair, TakeNothingButTheirOwnAnswersAfterTheyAreSeen) {
