@@ -172,8 +172,9 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
             (void)question_screen(fonts, study, {2, 9});
         },
         [&](const Fonts& fonts) {
-            static const stimuli::Question kWithNone{"none", stimuli::QuestionKind::kChoiceOrNone,
-                                                     "?"};
+            // A key without a letter stands on no button.
+            static const stimuli::Question kWithNone{
+                "none", stimuli::QuestionKind::kChoiceOrNone, "?", {}, {{"a"}, {"b"}, {"space"}}};
             (void)question_screen(fonts, study, {2, 9}, {&kWithNone, 0});
         },
         [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },

@@ -81,14 +81,16 @@ TEST_P(QuestionPages, EveryAnswerCanBeGivenByTheMouseAndNoButtonIsAnothers) {
         input.open_at(0.0);
         double time_s = 0.0;
         std::set<int> answered;
-        for (double y = 10; y < 720 && static_cast<int>(answered.size()) < page.answer_count();
-             y += 30) {
-            for (double x = 20; x < 1024; x += 45) {
+        for (double y = 240; y < 720 && static_cast<int>(answered.size()) < page.answer_count();
+             y += 42) {
+            for (double x = 20; x < 1024; x += 62) {
                 event.reset();
                 input.pointer_moves({x, y});
                 input.button_down(GLFW_MOUSE_BUTTON_LEFT, ++time_s);
                 input.button_up(GLFW_MOUSE_BUTTON_LEFT, ++time_s);
-                for (int frame = 0; frame < 2 || input.more(); ++frame) ui_.draw(draw);
+                do {
+                    ui_.draw(draw);
+                } while (input.more());
                 if (const auto answer = answer_in(event)) answered.insert(*answer);
             }
         }
