@@ -169,15 +169,16 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
 
 void add_display_facts(const Options& command, RunOptions& options) {
     command
-        .add("--viewing-distance", options.viewing_distance_cm,
-             "Eye to screen. This and what follows is said once for a monitor: it is kept in "
-             "DATA/display.json and goes into every session, with the degrees of visual angle")
-        .type("CM");
+        .add(
+            "--viewing-distance", options.viewing_distance_cm,
+            "Eye to screen, in cm. This and what follows is said once for a monitor: it is kept in "
+            "DATA/display.json and goes into every session, with the degrees of visual angle")
+        .type("NUMBER");
     command.add("--screen-size", options.screen_size, "Width and height of what is lit, in cm")
         .type("WxH");
     command.add("--luminance", options.luminance_cd_m2, "Of white, as measured, in cd/m2")
-        .type("CD/M2");
-    command.add("--gamma", options.gamma, "Of the monitor, as measured").type("G");
+        .type("NUMBER");
+    command.add("--gamma", options.gamma, "Of the monitor, as measured").type("NUMBER");
 }
 
 void add_response_box(const Options& command, RunOptions& options) {
@@ -185,7 +186,7 @@ void add_response_box(const Options& command, RunOptions& options) {
         .add("--response-box", options.response_box,
              "Serial line of a response box, /dev/ttyUSB0, that sends a line of text for each "
              "press: a key's name as in a study file, or what --box-key makes one")
-        .type("DEVICE");
+        .type("FILE");
     command.add("--box-rate", options.box_rate, "Of that line, in bits a second")
         .type("N")
         .shows_default();

@@ -173,8 +173,11 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
         },
         [&](const Fonts& fonts) {
             // A key without a letter stands on no button.
-            static const stimuli::Question kWithNone{
-                "none", stimuli::QuestionKind::kChoiceOrNone, "?", {}, {{"a"}, {"b"}, {"space"}}};
+            static const stimuli::Question kWithNone{"none",
+                                                     stimuli::QuestionKind::kChoiceOrNone,
+                                                     "?",
+                                                     {},
+                                                     {{"space"}, {"enter"}, {"page-up"}}};
             (void)question_screen(fonts, study, {2, 9}, {&kWithNone, 0});
         },
         [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },

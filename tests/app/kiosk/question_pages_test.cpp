@@ -66,7 +66,10 @@ class QuestionPages : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(QuestionPages, EveryAnswerCanBeGivenByTheMouseAndNoButtonIsAnothers) {
+    // One of each way to lay out a page.
+    const std::set<std::string> laid_out{"none", "ten", "steps"};
     for (const Question& question : every_page()) {
+        if (!laid_out.contains(question.id)) continue;
         const AskedPage page{&question, question.each_image ? 1 : 0};
         std::optional<Event> event;
         const auto draw = [&] {
@@ -82,8 +85,8 @@ TEST_P(QuestionPages, EveryAnswerCanBeGivenByTheMouseAndNoButtonIsAnothers) {
         double time_s = 0.0;
         std::set<int> answered;
         for (double y = 240; y < 720 && static_cast<int>(answered.size()) < page.answer_count();
-             y += 42) {
-            for (double x = 20; x < 1024; x += 62) {
+             y += 30) {
+            for (double x = 20; x < 1024; x += 40) {
                 event.reset();
                 input.pointer_moves({x, y});
                 input.button_down(GLFW_MOUSE_BUTTON_LEFT, ++time_s);
