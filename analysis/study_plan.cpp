@@ -19,7 +19,8 @@ using Json = nlohmann::json;
 constexpr const char* kAllowedPlan =
     "is nothing, or a JSON object with hypotheses: objects with id, statement, kind (preference or "
     "interaction), conditions or pairs (of ids), margin (0 to 0.5) and role (primary or "
-    "secondary), sides (session or trial), and stopping: an object with looks (rising numbers of "
+    "secondary), sides (session or trial), questions: objects with id and kind, ties (split or "
+    "davidson), and stopping: an object with looks (rising numbers of "
     "participants, one where nothing is spent) and spending (none, obrien-fleming or pocock)";
 
 /// The text is no plan.
@@ -75,6 +76,13 @@ PlannedHypothesis hypothesis_of(const Json& object) {
     return hypothesis;
 }
 
+/// What is asked of each pair; analysis/question_answers.h reads it.
+void require_question(const Json& object) {
+    const bool named = object.is_object() && object.contains("id") && object.contains("kind") &&
+                       object["id"].is_string() && object["kind"].is_string();
+    if (!named) throw NoPlan{};
+}
+
 PlannedLooks looks_of(const Json& object) {
     if (!object.is_object()) throw NoPlan{};
     PlannedLooks looks;
@@ -115,6 +123,10 @@ StudyPlan parsed_plan(std::string_view text) {
             plan.stopping = looks_of(value);
         } else if (name == "sides") {
             plan.has_sides_by_trial = one_of(value, "session", "trial") == "trial";
+        } else if (name == "questions" && value.is_array()) {
+            for (const Json& entry : value) require_question(entry);
+        } else if (name == "ties") {
+            (void)one_of(value, "split", "davidson");
         } else {
             throw NoPlan{};
         }

@@ -43,6 +43,14 @@ std::string to_words(const Presentation& presentation) {
            fmt::format(", with {} for {:g} s between them", what, presentation.grey_ms / kMsPerS);
 }
 
+bool is_key_name(const std::string& name) {
+    const bool named =
+        std::find(kAdvanceKeys.begin(), kAdvanceKeys.end(), name) != kAdvanceKeys.end();
+    const bool one = name.size() == 1 &&
+                     ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= '0' && name[0] <= '9'));
+    return named || one;
+}
+
 namespace {
 
 using Need = TableReader::Need;
@@ -50,15 +58,6 @@ using Need = TableReader::Need;
 constexpr std::int64_t kMostShownMs = 60000;
 constexpr std::int64_t kMostInputDelayMs = 5000;
 constexpr std::int64_t kMostBreakS = 3600;
-
-/// A key's name, or a lower-case letter or digit.
-bool is_advance_key(const std::string& name) {
-    const bool named =
-        std::find(kAdvanceKeys.begin(), kAdvanceKeys.end(), name) != kAdvanceKeys.end();
-    const bool one = name.size() == 1 &&
-                     ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= '0' && name[0] <= '9'));
-    return named || one;
-}
 
 void read_advance(TableReader& reader, Presentation& presentation) {
     const std::string wanted = fmt::format("an array of {}, a letter a to z or a digit",
@@ -68,7 +67,7 @@ void read_advance(TableReader& reader, Presentation& presentation) {
     presentation.advance.clear();
     for (const toml::node& node : *keys) {
         const std::string key = node.value<std::string>().value_or("");
-        if (is_advance_key(key)) {
+        if (is_key_name(key)) {
             presentation.advance.push_back(key);
         } else if (node.is_string()) {
             reader.add("advance",

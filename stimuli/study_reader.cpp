@@ -15,6 +15,7 @@
 #include "stimuli/hypothesis_reader.h"
 #include "stimuli/participant_reader.h"
 #include "stimuli/presentation_reader.h"
+#include "stimuli/question_reader.h"
 #include "stimuli/scene_reader.h"
 #include "stimuli/table_reader.h"
 #include "stimuli/variant_format.h"
@@ -73,12 +74,21 @@ void read_resolution(TableReader& reader, Study& study) {
     study.height = pixels[1];
 }
 
-void read_study_table(const toml::table& table, const toml::table* texts, Study& study,
-                      Problems& problems) {
+/// The question of [study], where the study has none of its own.
+void read_only_question(TableReader& reader, bool has_questions, Study& study) {
+    const Need need = has_questions ? Need::kOptional : Need::kRequired;
+    study.question = read_shown_text(reader, "study", "question", need, study);
+    if (has_questions && reader.has("question")) {
+        reader.add("question", "has no effect beside [[question]]: give the text there");
+    }
+}
+
+void read_study_table(const toml::table& table, const toml::table* texts, bool has_questions,
+                      Study& study, Problems& problems) {
     TableReader reader(table, "study", problems);
     study.name = read_id(reader, "name");
     study.title = read_shown_text(reader, "study", "title", Need::kRequired, study);
-    study.question = read_shown_text(reader, "study", "question", Need::kRequired, study);
+    read_only_question(reader, has_questions, study);
     study.instructions = read_shown_text(reader, "study", "instructions", Need::kRequired, study);
     study.thanks = read_shown_text(reader, "study", "thanks", Need::kOptional, study);
     read_words(reader, texts, study, problems);
@@ -99,6 +109,7 @@ void read_study_table(const toml::table& table, const toml::table* texts, Study&
     study.seed = static_cast<std::uint64_t>(
         reader.integer("seed", Need::kRequired, 0, std::numeric_limits<std::int64_t>::max())
             .value_or(0));
+    reader.allow("ties");
     reader.finish();
 }
 
@@ -220,12 +231,17 @@ void check_condition_count(const Study& study, const std::vector<const toml::tab
     }
 }
 
-void read_root(const toml::table& root, SceneReader& scene_reader, Study& study,
-               Problems& problems) {
+void read_root(const toml::table& root, SceneReader& scene_reader, StudyReading& reading) {
+    Study& study = reading.study;
+    Problems& problems = reading.problems;
     TableReader reader(root, "file", problems);
     const toml::table* table = reader.table("study", Need::kRequired);
     const toml::table* texts = reader.table("texts", Need::kOptional);
-    if (table != nullptr) read_study_table(*table, texts, study, problems);
+    const bool has_questions = root.contains("question");
+    if (table != nullptr) read_study_table(*table, texts, has_questions, study, problems);
+    const auto questions = read_entries(reader, "question");
+    if (!questions.empty()) reading.questions = read_questions(questions, study, problems);
+    if (table != nullptr) read_ties(*table, reading.questions, problems);
 
     const toml::table* information = reader.table("information", Need::kOptional);
     if (information != nullptr) read_information(*information, study, problems);
@@ -285,7 +301,7 @@ StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& 
     SceneReader scene_reader(catalogue, folder, files);
     reading.study.sha256 = base::sha256_hex(text);
     try {
-        read_root(toml::parse(text), scene_reader, reading.study, reading.problems);
+        read_root(toml::parse(text), scene_reader, reading);
     } catch (const toml::parse_error& error) {
         reading.problems.push_back({static_cast<int>(error.source().begin.line),
                                     fmt::format("not TOML: {}", error.description())});

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stimuli/questions.h"
 #include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/study.h"
 
@@ -15,6 +16,7 @@ namespace obscura::stimuli {
 /// The study is of use only where there is no problem.
 struct StudyReading {
     Study study;
+    Questions questions;
     std::vector<StudyProblem> problems;
 };
 

@@ -14,6 +14,8 @@
 
 #include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
+#include "analysis/export/question_table.h"
+#include "analysis/export/screen_columns.h"
 #include "renderer/base/error.h"
 
 namespace obscura::analysis {
@@ -88,8 +90,8 @@ void append_file(const std::string* file, std::string& out) {
 }
 
 /// The columns of a file of answers; the standard's own names where it has them.
-std::vector<ExportColumn<TrialRow>> trial_columns(const ExportSource& source) {
-    auto columns = bids_columns(source, trials_export());
+std::vector<ExportColumn<TrialRow>> trial_columns(ExportSource& source) {
+    auto columns = bids_columns(source, trials_with_ties(source));
     std::erase_if(columns, [](const auto& column) {
         return column.name == "participant_id" || column.name == "session_id" ||
                column.name == "exclusion" || column.name == "study_plan";
@@ -153,6 +155,14 @@ Json stimulus_presentation(const SessionRecord& session) {
         {"SoftwareVersion", version},
         {"Display", session.display.empty() ? kUnknown : session.display},
         {"GraphicsRenderer", session.gpu_renderer.empty() ? kUnknown : session.gpu_renderer}};
+    // In metres, as the standard has them.
+    constexpr double kCmPerM = 100.0;
+    if (const auto distance = screen_fact(session, "viewing_distance_cm")) {
+        json["ScreenDistance"] = *distance / kCmPerM;
+    }
+    const auto width = screen_fact(session, "screen_width_cm");
+    const auto height = screen_fact(session, "screen_height_cm");
+    if (width && height) json["ScreenSize"] = {*width / kCmPerM, *height / kCmPerM};
     if (session.refresh_hz > 0.0) json["ScreenRefreshRate"] = session.refresh_hz;
     if (resolution) json["ScreenResolution"] = {resolution->first, resolution->second};
     return json;
@@ -170,6 +180,7 @@ class BidsExport {
         write_participants();
         write_answers();
         write_other_events();
+        write_question_answers();
         write_tasks();
         write_description();
         write_stimuli();
@@ -240,6 +251,21 @@ class BidsExport {
             });
         });
         job_.folder.add("sourcedata/events.json", described(columns).dump(2) + '\n');
+    }
+
+    /// The standard has one table of answers a session, whose rows are the pairs: answers to
+    /// further questions of them stand among what is as it was.
+    void write_question_answers() {
+        if (!job_.source.has_questions()) return;
+        const auto columns = bids_columns(job_.source, answers_export(job_.source));
+        write_table(job_, "sourcedata/answers", columns, Layout::kBidsTsv, [&](const auto& take) {
+            job_.source.each_answer([&](const QuestionAnswer& answer, const SessionRecord& from) {
+                SessionRecord session = from;
+                session.participant_id = "sub-" + subjects_.of(from.participant_id);
+                take(QuestionRow{&answer, &session});
+            });
+        });
+        job_.folder.add("sourcedata/answers.json", described(columns).dump(2) + '\n');
     }
 
     std::string stem_of(const SessionRecord& session) {

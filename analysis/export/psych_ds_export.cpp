@@ -10,6 +10,7 @@
 #include "analysis/export/condition_counter.h"
 #include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
+#include "analysis/export/question_table.h"
 
 namespace obscura::analysis {
 namespace {
@@ -76,7 +77,7 @@ class PsychDsExport {
                 take(row);
             });
         });
-        write(trials_export(), [&](const auto& take) {
+        write(trials_with_ties(job_.source), [&](const auto& take) {
             job_.source.each_trial(
                 [&](const TrialRow& row) {
                     conditions_.add(*row.trial, *row.session);
@@ -84,6 +85,14 @@ class PsychDsExport {
                 },
                 job_.exported);
         });
+        if (job_.source.has_questions()) {
+            write(answers_export(job_.source), [&](const auto& take) {
+                job_.source.each_answer(
+                    [&](const QuestionAnswer& answer, const SessionRecord& session) {
+                        take(QuestionRow{&answer, &session});
+                    });
+            });
+        }
         write(conditions_export(), [&](const auto& take) {
             for (const ConditionRow& row : conditions_.rows()) take(row);
         });

@@ -62,18 +62,58 @@ void ExportSource::each_participant(const std::function<void(const ParticipantRe
     for (const ParticipantRecord& participant : participants_) take(participant);
 }
 
-void ExportSource::each_session(const std::function<void(const SessionRow&)>& take) {
-    if (!anonymous_) {
-        store_.each_session_with_events(
-            [&](const SessionRecord& session, const std::vector<EventRecord>& events) {
-                take({&session, &events});
-            });
-        return;
-    }
+void ExportSource::each_with_events(
+    const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take) {
+    if (!anonymous_) return store_.each_session_with_events(take);
     for (std::size_t i = 0; i < sessions_.size(); ++i) {
-        const std::vector<EventRecord> events = store_.events_of(session_ids_[i]);
-        take({&sessions_[i], &events});
+        std::vector<EventRecord> events = store_.events_of(session_ids_[i]);
+        for (EventRecord& event : events) event.session_id = sessions_[i].session_id;
+        take(sessions_[i], events);
     }
+}
+
+void ExportSource::each_session(const std::function<void(const SessionRow&)>& take) {
+    each_with_events([&](const SessionRecord& session, const std::vector<EventRecord>& all) {
+        std::vector<EventRecord> events;
+        std::vector<EventRecord> answers;
+        for (const EventRecord& event : all) {
+            (event.name == kAnswerEvent ? answers : events).push_back(event);
+        }
+        take({&session, &events, &answers});
+    });
+}
+
+void ExportSource::each_asked(const std::function<void(const AskedQuestions&)>& take) {
+    const auto one = [&](const SessionRecord& session) {
+        const AskedQuestions asked = asked_questions(session.study_plan);
+        if (!asked.list.empty()) take(asked);
+    };
+    if (!anonymous_) return store_.each_session(one);
+    for (const SessionRecord& session : sessions_) one(session);
+}
+
+bool ExportSource::has_questions() {
+    bool any = false;
+    each_asked([&](const AskedQuestions&) { any = true; });
+    return any;
+}
+
+void ExportSource::each_answer(
+    const std::function<void(const QuestionAnswer&, const SessionRecord&)>& take) {
+    each_session([&](const SessionRow& row) {
+        for (const QuestionAnswer& answer : answers_among(*row.answers)) take(answer, *row.session);
+    });
+}
+
+std::set<int> ExportSource::without_difference(const std::string& session_id,
+                                               const std::string& first) {
+    std::set<int> pairs;
+    for (const QuestionAnswer& answer : answers_among(store_.events_of(session_id))) {
+        if (answer.question == first && answer.answer == kNoDifference) {
+            pairs.insert(answer.trial_index);
+        }
+    }
+    return pairs;
 }
 
 void ExportSource::each_event(const std::function<void(const EventRow&)>& take) {
@@ -85,7 +125,18 @@ void ExportSource::each_event(const std::function<void(const EventRow&)>& take) 
 
 void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
                               Exported& exported) {
-    const auto row = [&](const TrialRecord& trial, const SessionRecord& session) {
+    std::string session_id;
+    std::optional<std::set<int>> ties;
+    const auto row = [&](const TrialRecord& trial, const SessionRecord& session,
+                         const std::string& in_store) {
+        if (in_store != session_id) {
+            session_id = in_store;
+            ties.reset();
+            const AskedQuestions asked = asked_questions(session.study_plan);
+            if (asked.first_has_ties()) {
+                ties = without_difference(in_store, asked.list.front().id);
+            }
+        }
         const Image* const first = image_of(trial, session, true);
         const Image* const second = image_of(trial, session, false);
         if (first == nullptr || second == nullptr) ++exported.unknown_images;
@@ -93,13 +144,18 @@ void ExportSource::each_trial(const std::function<void(const TrialRow&)>& take,
         take({&trial, &session, ++exported.trials, first == nullptr ? nullptr : &first->file,
               second == nullptr ? nullptr : &second->file,
               left_out == left_out_.end() ? nullptr : &left_out->second,
-              view_of(trial, session, first != nullptr ? first : second)});
+              view_of(trial, session, first != nullptr ? first : second),
+              ties ? std::optional<bool>(ties->contains(trial.trial_index)) : std::nullopt});
     };
-    if (!anonymous_) return store_.each_trial(row);
+    if (!anonymous_) {
+        return store_.each_trial([&](const TrialRecord& trial, const SessionRecord& session) {
+            row(trial, session, session.session_id);
+        });
+    }
     for (std::size_t i = 0; i < sessions_.size(); ++i) {
         for (TrialRecord& trial : store_.trials_of(session_ids_[i])) {
             trial.session_id = sessions_[i].session_id;
-            row(trial, sessions_[i]);
+            row(trial, sessions_[i], session_ids_[i]);
         }
     }
 }

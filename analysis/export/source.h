@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "analysis/export/events.h"
 #include "analysis/export/export.h"
 #include "analysis/export/tables.h"
+#include "analysis/question_answers.h"
 
 namespace obscura::analysis {
 
@@ -37,13 +39,25 @@ class ExportSource {
 
     void each_participant(const std::function<void(const ParticipantRecord&)>& take);
     void each_session(const std::function<void(const SessionRow&)>& take);
-    /// Those of no session first.
+    /// What each session asked of its pairs.
+    void each_asked(const std::function<void(const AskedQuestions&)>& take);
+    /// Whether any asked more than which image is chosen.
+    [[nodiscard]] bool has_questions();
+    void each_answer(const std::function<void(const QuestionAnswer&, const SessionRecord&)>& take);
+    /// Those of no session first; those that are answers are not among them.
     void each_event(const std::function<void(const EventRow&)>& take);
     /// Rows numbered from 1, with the images' files as STUDY/FILE. Counts them in `exported`.
     void each_trial(const std::function<void(const TrialRow&)>& take, Exported& exported);
 
   private:
     void read_all(std::uint64_t seed);
+    /// A session and all of its events.
+    void each_with_events(
+        const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take);
+    /// Pairs of a session, by its name in the store, in which the question `first` was answered by
+    /// no difference.
+    [[nodiscard]] std::set<int> without_difference(const std::string& session_id,
+                                                   const std::string& first);
 
     Store& store_;
     const bool anonymous_;

@@ -3,6 +3,7 @@
 #include "analysis/export/condition_counter.h"
 #include "analysis/export/form_columns.h"
 #include "analysis/export/formats.h"
+#include "analysis/export/question_table.h"
 
 namespace obscura::analysis {
 namespace {
@@ -43,7 +44,7 @@ void export_tables(const ExportJob& job) {
         });
     });
     ConditionCounter conditions;
-    write(trials_export(), [&](const auto& take) {
+    write(trials_with_ties(source), [&](const auto& take) {
         source.each_trial(
             [&](const TrialRow& row) {
                 conditions.add(*row.trial, *row.session);
@@ -51,6 +52,13 @@ void export_tables(const ExportJob& job) {
             },
             job.exported);
     });
+    if (source.has_questions()) {
+        write(answers_export(source), [&](const auto& take) {
+            source.each_answer([&](const QuestionAnswer& answer, const SessionRecord& session) {
+                take(QuestionRow{&answer, &session});
+            });
+        });
+    }
     write(conditions_export(), [&](const auto& take) {
         for (const ConditionRow& row : conditions.rows()) take(row);
     });

@@ -4,6 +4,7 @@
 
 #include "analysis/export/events.h"
 #include "analysis/export/member_cells.h"
+#include "analysis/export/screen_columns.h"
 #include "analysis/export/table_words.h"
 
 namespace obscura::analysis {
@@ -157,8 +158,9 @@ const ExportTable<SessionRow>& sessions_export() {
                 {"study_plan", kStudyPlan, {}, "", of_own_session<&R::study_plan>},
                 {"timing", kTiming, {}, "", of_own_session<&R::timing>},
             }};
-        const auto counts = event_count_columns();
-        sessions.columns.insert(sessions.columns.end(), counts.begin(), counts.end());
+        for (const auto& more : {screen_columns(), event_count_columns()}) {
+            sessions.columns.insert(sessions.columns.end(), more.begin(), more.end());
+        }
         return sessions;
     }();
     return table;

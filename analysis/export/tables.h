@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,8 @@ struct ExportTable {
 /// A session with its events.
 struct SessionRow {
     const SessionRecord* session = nullptr;
-    const std::vector<EventRecord>* events = nullptr;
+    const std::vector<EventRecord>* events = nullptr;  ///< but those that are answers
+    const std::vector<EventRecord>* answers = nullptr;
 };
 
 /// A trial with the session it belongs to.
@@ -54,6 +56,8 @@ struct TrialRow {
     const std::string* second_file = nullptr;
     const std::string* left_out = nullptr;  ///< ExportOptions::left_out; nullptr: not known
     const ExportedView* view = nullptr;     ///< nullptr: not known
+    /// Whether the participant saw none; nothing: that answer was not offered.
+    std::optional<bool> no_difference = {};
 };
 
 /// A condition as it was shown, with its votes in completed sessions.

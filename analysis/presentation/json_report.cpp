@@ -3,6 +3,7 @@
 #include "analysis/presentation/json_report.h"
 
 #include "analysis/presentation/json_sections.h"
+#include "analysis/presentation/questions_text.h"
 
 namespace obscura::analysis {
 namespace {
@@ -302,7 +303,7 @@ void put_results(Json& report, const Analysis& analysis) {
 
 }  // namespace
 
-std::string json_report(const Analysis& analysis) {
+std::string json_report(const Analysis& analysis, const QuestionsResult* questions) {
     const Tally& tally = analysis.tally;
     Json report;
     report["source"] = tally.source;
@@ -333,6 +334,7 @@ std::string json_report(const Analysis& analysis) {
     if (analysis.exclusions.has_value() && analysis.exclusions->everybody) {
         put_results(report["exclusions"]["everybody"], *analysis.exclusions->everybody);
     }
+    if (questions != nullptr) put_questions(report, *questions);
     return report.dump(2) + '\n';
 }
 

@@ -12,6 +12,7 @@
 #include "analysis/conclusions/published_study.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/presentation/json_report.h"
+#include "analysis/presentation/questions_text.h"
 #include "analysis/presentation/report_parts.h"
 #include "analysis/presentation/text_report.h"
 #include "renderer/base/error.h"
@@ -109,6 +110,7 @@ std::vector<ReportFile> report_files(const ReportInput& input) {
     add_preferences(draft);
     add_hypotheses(draft);
     add_scales(draft);
+    add_questions(draft);
     add_order_bias(draft);
     add_response_times(draft);
     add_attention(draft);
@@ -120,8 +122,10 @@ std::vector<ReportFile> report_files(const ReportInput& input) {
     draft.file("report.html", draft.page.html());
     draft.file("report.md", draft.page.markdown());
     draft.file("analysis.txt", text_report(input.analysis, caveats_of(input.analysis, input.images,
-                                                                      input.attendance)));
-    draft.file("analysis.json", json_report(input.analysis));
+                                                                      input.attendance)) +
+                                   (input.questions ? questions_text(*input.questions) : ""));
+    draft.file("analysis.json",
+               json_report(input.analysis, input.questions ? &*input.questions : nullptr));
     return std::move(draft.files);
 }
 

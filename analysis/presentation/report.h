@@ -10,6 +10,7 @@
 #include "analysis/conclusions/analysis.h"
 #include "analysis/conclusions/attendance.h"
 #include "analysis/conclusions/measurement_table.h"
+#include "analysis/conclusions/questions.h"
 #include "analysis/conclusions/shown_image.h"
 
 namespace obscura::analysis {
@@ -32,6 +33,7 @@ struct ReportInput {
     Possible<Attendance> attendance = Possible<Attendance>::none("only votes are known");
     std::vector<ShownImage> images;  ///< of the study's conditions; empty where none are known
     std::string images_unknown;      ///< why there are none
+    std::optional<QuestionsResult> questions;  ///< nothing: the pairs alone were asked about
     std::optional<MeasurementTable> measurement;
     std::string measurement_unknown;  ///< why there is none
     std::string software;             ///< name and version of this program

@@ -47,6 +47,7 @@ void add_participants(ReportDraft& draft);
 void add_preferences(ReportDraft& draft);
 void add_hypotheses(ReportDraft& draft);
 void add_scales(ReportDraft& draft);
+void add_questions(ReportDraft& draft);  ///< nothing where no more was asked
 void add_order_bias(ReportDraft& draft);
 void add_response_times(ReportDraft& draft);
 void add_attention(ReportDraft& draft);  ///< and whom the study's rule leaves out

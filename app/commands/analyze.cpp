@@ -12,6 +12,7 @@
 #include "analysis/counts_file.h"
 #include "analysis/export/export_folder.h"
 #include "analysis/presentation/json_report.h"
+#include "analysis/presentation/questions_text.h"
 #include "analysis/presentation/report.h"
 #include "analysis/presentation/summary.h"
 #include "analysis/presentation/text_report.h"
@@ -57,7 +58,17 @@ struct Answers {
     analysis::Conducted conducted = {};
     analysis::Possible<analysis::Attendance> attendance =
         analysis::Possible<analysis::Attendance>::none("only votes are known");
+    std::optional<analysis::QuestionsResult> questions = {};
 };
+
+/// What else was asked of each pair; nothing where only they were, with what stands in the way.
+std::optional<analysis::QuestionsResult> questions_of(analysis::Store& store,
+                                                      analysis::Tally& tally, analysis::Kind kind) {
+    const auto data = analysis::read_question_data(store, tally.study, kind);
+    if (data.has_value()) return analysis::analyse_questions(*data);
+    if (data.reason != analysis::kNothingElseAsked) tally.notes.push_back(data.reason);
+    return std::nullopt;
+}
 
 /// SHA-256 of every image that a completed session showed, by the file that it was of.
 std::map<std::string, std::vector<std::string>> images_shown(analysis::Store& store,
@@ -88,6 +99,7 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
     store.of_one_moment([&] {
         answers.tally =
             analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
+        answers.questions = questions_of(store, answers.tally, *kind);
         if (!options.preregistered.empty()) {
             answers.conducted.images = images_shown(store, answers.tally.study, *kind);
         }
@@ -140,12 +152,17 @@ std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
 
 /// What is shown on the standard output.
 std::string shown_text(const analysis::ReportInput& input, const AnalyzeOptions& options) {
-    if (options.json) return analysis::json_report(input.analysis);
+    const analysis::QuestionsResult* const questions =
+        input.questions ? &*input.questions : nullptr;
+    if (options.json) return analysis::json_report(input.analysis, questions);
+    const std::string asked = questions == nullptr ? "" : analysis::questions_text(*questions);
     if (options.full) {
         return analysis::text_report(
-            input.analysis, analysis::caveats_of(input.analysis, input.images, input.attendance));
+                   input.analysis,
+                   analysis::caveats_of(input.analysis, input.images, input.attendance)) +
+               asked;
     }
-    std::string text = analysis::summary_text(input.analysis) + '\n';
+    std::string text = analysis::summary_text(input.analysis) + asked + '\n';
     if (options.out.empty()) {
         return text +
                "All tests in words: --full. As a page with plots, and ready for a paper: --out "
@@ -216,6 +233,7 @@ base::ExitCode analyze(AnalyzeOptions options, const Globals& globals) {
     }
     if (looks) looks->note(static_cast<std::int64_t>(answers.tally.participants.size()));
     input.attendance = std::move(answers.attendance);
+    input.questions = std::move(answers.questions);
     if (!options.out.empty() || options.full) {
         add_sources(input, {globals.data, study, options.measurement});
     }

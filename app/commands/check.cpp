@@ -62,6 +62,7 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Images& 
 /// Everything that there is to say of a study file.
 struct Findings {
     stimuli::StudySource source;
+    stimuli::Questions questions;
     stimuli::Study study;  ///< of use where there is no problem
     std::vector<stimuli::StudyProblem> problems;
     std::vector<std::string> warnings;
@@ -74,6 +75,7 @@ Findings findings_of(const std::string& word, const Globals& globals) {
     stimuli::StudyReading read =
         stimuli::read_study(found.source.text, stimuli::builtin_scenes(), found.source.folder);
     found.study = std::move(read.study);
+    found.questions = std::move(read.questions);
     found.problems = std::move(read.problems);
     for (auto& problem : kiosk::problems_of_texts(found.study)) {
         found.problems.push_back(std::move(problem));
@@ -84,8 +86,9 @@ Findings findings_of(const std::string& word, const Globals& globals) {
     const Images images =
         images_of(found.study, stimuli::stimuli_folder(globals.data, found.study));
     found.warnings = warnings_of(found.study, images);
-    for (const auto& notes : {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study),
-                              stimuli::facts_of(found.study, images.manifest, images.pairs)}) {
+    for (const auto& notes :
+         {stimuli::notes_on(found.study), kiosk::notes_on_pages(found.study, found.questions),
+          stimuli::facts_of(found.study, images.manifest, images.pairs)}) {
         found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     }
     if (const std::string note = kiosk::note_on_words(found.study); !note.empty()) {

@@ -70,6 +70,8 @@ void simulate_published(const stimuli::Study& study, const fs::path& images,
     analysis::name_views(tally, stimuli::view_names(study));
     input.analysis = analysis::analyse(std::move(tally));
     input.attendance = analysis::attendance_of(store, study.name, Kind::kSimulated);
+    const auto asked = analysis::read_question_data(store, study.name, Kind::kSimulated);
+    if (asked.has_value()) input.questions = analysis::analyse_questions(*asked);
     add_sources(input, {out, study, {}});
     analysis::write_report(analysis::report_files(input), reports);
     if (!full) return analysis::summary_text(input.analysis);
@@ -89,7 +91,8 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
         study, {.known = stimuli::stimuli_folder(globals.data, study)}, images, globals.quiet);
     base::log::info("{} images made, {} were there already", generated.made, generated.kept);
     simulate_published(study, images,
-                       {file, "--out", options.participants, study.seed, globals.quiet});
+                       {file, "--out", options.participants, study.seed, globals.quiet,
+                        stimuli::load_questions(named)});
     const std::string report =
         analyse(study, exported_study(stimuli::study_source(named), study, images), out, file,
                 options.full);

@@ -243,15 +243,16 @@ Json to_json(const Balance& balance, const std::vector<std::string>& ids) {
 }
 
 /// Written a participant at a time, since a million of them as one value would fill the memory.
-void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
-                const Balance& balance) {
+void print_json(const Study& study, const stimuli::Questions& questions,
+                const std::vector<SessionOrder>& sessions, const Balance& balance) {
     const std::vector<std::string> ids = ids_of(study);
     const std::uint64_t block = stimuli::block_size(study.order, static_cast<int>(ids.size()));
+    const std::string fixed = stimuli::plan_json(study, questions);
     fmt::print(
         "{{\"study\": {}, \"fixed\": {}, \"order\": {}, \"sides\": {}, \"seed\": {}, "
         "\"n_participants\": {}, "
         "\"block\": {}, \"whole_blocks\": {},\n\"balance\": {},\n\"participants\": [",
-        Json(study.name).dump(), study.plan_json().empty() ? "null" : study.plan_json(),
+        Json(study.name).dump(), fixed.empty() ? "null" : fixed,
         Json(to_string(study.order)).dump(), Json(to_string(study.sides)).dump(), study.seed,
         sessions.size(), block, sessions.size() % block == 0, to_json(balance, ids).dump());
     for (const SessionOrder& session : sessions) {
@@ -274,18 +275,23 @@ void print_json(const Study& study, const std::vector<SessionOrder>& sessions,
 }
 
 base::ExitCode plan(const PlanOptions& options, const Globals& globals) {
-    const Study study =
-        stimuli::load_study(study_named(options.study, globals), stimuli::SceneFiles::kTrusted);
+    const std::string named = study_named(options.study, globals);
+    const Study study = stimuli::load_study(named, stimuli::SceneFiles::kTrusted);
+    const stimuli::Questions questions = stimuli::load_questions(named);
     if (!options.preregister.empty()) {
-        const auto document = preregister(
-            study, {options.preregister, globals.data, options.participants, globals.quiet});
+        const auto document = preregister(study, {options.preregister, globals.data,
+                                                  options.participants, globals.quiet, questions});
         fmt::print(stderr, "registered {}\n", document.string());
     }
     const int n = study.pair_count();
     const auto sessions = stimuli::session_orders(
         study.order, n, study.seed, static_cast<std::uint64_t>(options.participants), study.sides);
     const Balance balance = stimuli::balance_of(sessions, n);
-    (options.json ? print_json : print_text)(study, sessions, balance);
+    if (options.json) {
+        print_json(study, questions, sessions, balance);
+    } else {
+        print_text(study, sessions, balance);
+    }
     return base::ExitCode::kDone;
 }
 

@@ -95,7 +95,7 @@ analysis::Registration registration_of(const Study& study, const PreregisterRequ
     analysis::Registration registration;
     registration.study = study.name;
     registration.study_sha256 = study.sha256;
-    registration.study_plan = study.plan_json();
+    registration.study_plan = stimuli::plan_json(study, request.questions);
     registration.exclusion = study.exclusion.to_json();
     registration.participants = request.participants;
     registration.analysis_seed = analysis::kAnalysisSeed;
@@ -128,11 +128,25 @@ std::string power_block(const Study& study, const PreregisterRequest& request) {
     return "```\n" + study_power_text(study, power, power_of_study(study, power)) + "```\n";
 }
 
+/// What is asked beside the study's one question.
+std::string question_lines(const stimuli::Questions& questions) {
+    if (questions.list.empty()) return "";
+    std::string text = "## Questions of each pair, in this order\n";
+    for (const stimuli::Question& question : questions.list) {
+        text += fmt::format("- {} ({}{}): {}\n", question.id, to_string(question.kind),
+                            question.each_image ? ", of each image" : "", question.text);
+    }
+    return text +
+           fmt::format(
+               "\nAnswers without a difference: {}. The pairs are compared by the first.\n\n",
+               to_string(questions.ties));
+}
+
 std::string document_of(const Study& study, const PreregisterRequest& request,
                         const analysis::Registration& registration) {
     return fmt::format(
         "# Pre-registration of the study {}: {}\n\nWritten {} by {}. The question: {}\n\n"
-        "## Conditions\n{}\n"
+        "{}## Conditions\n{}\n"
         "## Hypotheses\n{}\nHolm's correction is over the tests of the primary ones.\n\n"
         "## Participants and power\n{} participants.\n\n{}\n"
         "## Order\nOrder of the pairs: {}, seed {}; sides of the images: balanced by {}.\n\n"
@@ -140,11 +154,11 @@ std::string document_of(const Study& study, const PreregisterRequest& request,
         "## Analysis\n`obscura analyze` of {}, seed {}. {}\n\n## Files\n{}\n"
         "## For `obscura analyze --preregistered`\n{}",
         study.name, study.title, registration.written_utc, registration.software, study.question,
-        condition_lines(study), hypothesis_lines(study), request.participants,
-        power_block(study, request), to_string(study.order), study.seed, to_string(study.sides),
-        exclusion_words(study), stopping_words(study, request.participants), registration.software,
-        registration.analysis_seed, analysis::verdict_rule(), image_lines(registration),
-        registration_block(registration));
+        question_lines(request.questions), condition_lines(study), hypothesis_lines(study),
+        request.participants, power_block(study, request), to_string(study.order), study.seed,
+        to_string(study.sides), exclusion_words(study), stopping_words(study, request.participants),
+        registration.software, registration.analysis_seed, analysis::verdict_rule(),
+        image_lines(registration), registration_block(registration));
 }
 
 void check(const Study& study, const PreregisterRequest& request, const fs::path& document) {

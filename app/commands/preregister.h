@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
@@ -14,6 +15,7 @@ struct PreregisterRequest {
     std::filesystem::path data;  ///< where the study's images lie
     int participants = 0;
     bool quiet = false;
+    stimuli::Questions questions = {};  ///< that the study asks of each pair
 };
 
 /// Writes FOLDER/preregistration.md: hypotheses and family, margins, participants and their power,

@@ -41,17 +41,17 @@ stimuli::Manifest rendered_images(const stimuli::Study& study, const fs::path& d
 }
 
 base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) {
-    const stimuli::Study study =
-        stimuli::load_study(study_named(options.study, globals), stimuli::SceneFiles::kTrusted);
+    const std::string named = study_named(options.study, globals);
+    const stimuli::Study study = stimuli::load_study(named, stimuli::SceneFiles::kTrusted);
     const kiosk::ChoiceModel choices = choices_from(options.observers, study);
     const fs::path file = options.store.empty()
                               ? globals.data / "rehearsal" / (study.name + ".sqlite")
                               : options.store;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     base::require_writable_folder(folder, "--store");
-    simulate_into_store(
-        study, rendered_images(study, globals.data), choices,
-        {file, "--store", options.participants, options.seed.value_or(study.seed), globals.quiet});
+    simulate_into_store(study, rendered_images(study, globals.data), choices,
+                        {file, "--store", options.participants, options.seed.value_or(study.seed),
+                         globals.quiet, stimuli::load_questions(named)});
     fmt::print(
         "{} through the study {}, simulated: nobody has looked at these images.\n"
         "answers   {}\n"

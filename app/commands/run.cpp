@@ -29,7 +29,15 @@ constexpr const char* kNotAsked = "not asked";
 struct RunOptions {
     std::string study = "jakobsen2010";
     std::string store_url;
-    int monitor = 0;
+    std::string monitor;  ///< its name or number; empty: the last one
+    std::optional<double> viewing_distance_cm;
+    std::string screen_size;
+    std::optional<double> luminance_cd_m2;
+    std::optional<double> gamma;
+    std::string response_box;
+    int box_rate = 9600;
+    std::vector<std::string> box_keys;
+    bool photodiode = false;
     bool windowed = false;
     std::string override_reason;
     bool set_pin = false;
@@ -112,6 +120,25 @@ base::ExitCode set_pin(const std::filesystem::path& data) {
     return base::ExitCode::kDone;
 }
 
+kiosk::DisplayFacts facts_of(const RunOptions& options) {
+    kiosk::DisplayFacts facts;
+    facts.viewing_distance_cm = options.viewing_distance_cm;
+    facts.luminance_cd_m2 = options.luminance_cd_m2;
+    facts.gamma = options.gamma;
+    if (!options.screen_size.empty()) kiosk::set_screen_size(facts, options.screen_size);
+    kiosk::check(facts);
+    return facts;
+}
+
+kiosk::ResponseBoxOptions box_of(const RunOptions& options) {
+    if (options.response_box.empty() && !options.box_keys.empty()) {
+        throw base::bad_input("--box-key {}: it needs --response-box", options.box_keys.front());
+    }
+    kiosk::ResponseBoxOptions box{options.response_box, options.box_rate};
+    for (const std::string& key : options.box_keys) kiosk::add_box_key(box, key);
+    return box;
+}
+
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
     refuse_missing_folder(options.store_url);
     const std::string named = study_named(options.study, globals);
@@ -128,12 +155,49 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     kiosk_options.windowed = options.windowed;
     kiosk_options.override_reason = options.override_reason;
     kiosk_options.data = globals.data;
+    kiosk_options.facts = facts_of(options);
+    kiosk_options.response_box = box_of(options);
+    kiosk_options.photodiode = options.photodiode;
+    kiosk_options.questions = stimuli::load_questions(named);
     if (options.set_pin) return set_pin(globals.data);
     if (options.self_test != kNotAsked) {
         return self_test(study, kiosk_options, alternations_in(options.self_test), globals.quiet);
     }
     kiosk::run_kiosk(study, kiosk_options);
     return base::ExitCode::kDone;
+}
+
+void add_display_facts(const Options& command, RunOptions& options) {
+    command
+        .add(
+            "--viewing-distance", options.viewing_distance_cm,
+            "Eye to screen, in cm. This and what follows is said once for a monitor: it is kept in "
+            "DATA/display.json and goes into every session, with the degrees of visual angle")
+        .type("NUMBER");
+    command.add("--screen-size", options.screen_size, "Width and height of what is lit, in cm")
+        .type("WxH");
+    command.add("--luminance", options.luminance_cd_m2, "Of white, as measured, in cd/m2")
+        .type("NUMBER");
+    command.add("--gamma", options.gamma, "Of the monitor, as measured").type("NUMBER");
+}
+
+void add_response_box(const Options& command, RunOptions& options) {
+    command
+        .add("--response-box", options.response_box,
+             "Serial line of a response box, /dev/ttyUSB0, that sends a line of text for each "
+             "press: a key's name as in a study file, or what --box-key makes one")
+        .type("FILE");
+    command.add("--box-rate", options.box_rate, "Of that line, in bits a second")
+        .type("N")
+        .shows_default();
+    command
+        .add("--box-key", options.box_keys,
+             "The key that a line of the box stands for, as in B1=left")
+        .type("LINE=KEY")
+        .repeatable();
+    command.add_flag("--photodiode", options.photodiode,
+                     "A square in the lower left corner, white while an image is shown and black "
+                     "else, for an instrument that checks the times");
 }
 
 std::function<base::ExitCode()> attach_run(const Options& command, const Globals& globals) {
@@ -144,10 +208,12 @@ std::function<base::ExitCode()> attach_run(const Options& command, const Globals
              "Response store: sqlite3://FILE or postgresql://... (default: "
              "responses.sqlite in the data folder)")
         .type("URL");
-    command.add("--monitor", options->monitor, "Monitor to fill, from 0")
-        .type("N")
-        .between(0, 99)
-        .shows_default();
+    command
+        .add("--monitor", options->monitor,
+             "Monitor to fill: its number from 0 or its name (default: the last one, at first 0)")
+        .type("N|NAME");
+    add_display_facts(command, *options);
+    add_response_box(command, *options);
     command.add_flag("--windowed", options->windowed, "A plain window instead of a whole monitor");
     command.add_flag("--set-pin", options->set_pin,
                      "No session: ask for the PIN of the operator's page and keep it");

@@ -26,13 +26,15 @@ void remove_log(const fs::path& file) {
 }
 
 [[nodiscard]] kiosk::SessionPlan plan_of(const stimuli::Study& study,
-                                         const stimuli::Manifest& manifest, std::uint64_t slot) {
+                                         const stimuli::Manifest& manifest,
+                                         const stimuli::Questions& questions, std::uint64_t slot) {
     kiosk::SessionPlan plan;
     plan.participant_id = fmt::format("simulated-p{:04}", slot + 1);
     plan.session_id = fmt::format("simulated-s{:04}", slot + 1);
     plan.kind = Kind::kSimulated;
     plan.images = kiosk::images_of(study, manifest);
     plan.order = study.session_order(slot);
+    plan.questions = questions;
     plan.machine = kiosk::simulated_machine();
     return plan;
 }
@@ -47,7 +49,7 @@ void simulate(const stimuli::Study& study, const stimuli::Manifest& manifest,
                             simulation.quiet);
     for (std::uint64_t slot = 0; slot < static_cast<std::uint64_t>(simulation.participants);
          ++slot) {
-        kiosk::Procedure procedure(study, plan_of(study, manifest, slot));
+        kiosk::Procedure procedure(study, plan_of(study, manifest, simulation.questions, slot));
         kiosk::Journal journal = kiosk::journal_to(store);
         base::Random random(kiosk::observer_seed(simulation.seed, slot + 1));
         kiosk::simulate_observer(procedure, choices, random, clock, journal);

@@ -7,6 +7,7 @@
 
 #include "app/kiosk/choice_model.h"
 #include "stimuli/manifest.h"
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app {
@@ -25,6 +26,7 @@ struct Simulation {
     int participants = 36;
     std::uint64_t seed = 0;
     bool quiet = false;
+    stimuli::Questions questions = {};  ///< that the study asks of each pair
 };
 
 /// Lets observers go through the kiosk's procedure into a new store, where every row says that they

@@ -3,6 +3,9 @@
 #include "app/kiosk/kiosk.h"
 
 #include <fmt/ranges.h>
+// Only to wake the window.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <exception>
@@ -17,6 +20,7 @@
 #include "app/kiosk/operators_page.h"
 #include "app/kiosk/pin.h"
 #include "app/kiosk/recording.h"
+#include "app/kiosk/screen_saver.h"
 #include "app/kiosk/session_runner.h"
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/store_lock.h"
@@ -117,8 +121,8 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
 }
 
 /// The last self-test counts only for the monitor and GPU that it was made on.
-[[nodiscard]] std::string timing_of(const KioskOptions& options, const Window& window,
-                                    const Pace& pace) {
+[[nodiscard]] std::string timing_of(const KioskOptions& options, const stimuli::Study& study,
+                                    const Window& window, const Pace& pace) {
     std::optional<SelfTest> last = last_self_test(options.data);
     if (last &&
         (last->display != window.display() || last->gpu_renderer != window.gpu_renderer())) {
@@ -128,7 +132,20 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
             last->display, last->gpu_renderer);
         last.reset();
     }
-    return session_timing(window.time_source(), pace.measured_s * 1000.0, pace.locked, last);
+    const DisplayFacts facts = known_displays(options.data).facts[window.monitor_name()];
+    const Extent monitor = window.monitor_size();
+    return session_timing(
+        window.time_source(), pace.measured_s * 1000.0, pace.locked, last,
+        screen_json(facts, {monitor.width, monitor.height}, {study.width, study.height}));
+}
+
+/// The monitor is the next start's too, and what was said of it holds until something else is.
+void remember(const KioskOptions& options, const Window& window) {
+    KnownDisplays displays = known_displays(options.data);
+    DisplayFacts& facts = displays.facts[window.monitor_name()];
+    facts = facts.with(options.facts);
+    displays.monitor = window.monitor_name();
+    keep(options.data, displays);
 }
 
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
@@ -137,6 +154,20 @@ void unless_overridden(const KioskOptions& options, const std::function<void()>&
 }
 
 constexpr std::size_t kBackupsKept = 20;
+
+[[nodiscard]] std::string screen_line(const stimuli::Words& words, const nlohmann::json& timing) {
+    const auto screen = timing.find("screen");
+    if (screen == timing.end() || !screen->contains("pixels_per_degree")) {
+        return words("op_no_screen");
+    }
+    const auto shown = [&](const char* name) {
+        return fmt::format("{:.4g}", screen->at(name).get<double>());
+    };
+    return words("op_screen", {{"distance", shown("viewing_distance_cm")},
+                               {"width", shown("screen_width_cm")},
+                               {"height", shown("screen_height_cm")},
+                               {"pixels", shown("pixels_per_degree")}});
+}
 
 /// The disk and the times of this machine, for the operator.
 [[nodiscard]] std::vector<std::string> machine_lines(const stimuli::Words& words,
@@ -152,6 +183,7 @@ constexpr std::size_t kBackupsKept = 20;
     const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
     lines.push_back(words("op_timing", {{"source", json.at("source").get<std::string>()},
                                         {"frame", ms(json.at("frame_ms").get<double>())}}));
+    lines.push_back(screen_line(words, json));
     const auto& test = json.at("self_test");
     if (test.is_null()) {
         lines.push_back(words("op_no_selftest"));
@@ -178,9 +210,10 @@ class Kiosk {
           options_(options),
           operators_(stage, hooks()),
           spool_(std::move(spool)) {
-        machine_ = {base::program_version(),     operating_system(),
-                    stage.window.gpu_renderer(), stage.window.display(),
-                    stage.window.refresh_hz(),   timing_of(options, stage.window, stage.pace)};
+        machine_ = {
+            base::program_version(),     operating_system(),
+            stage.window.gpu_renderer(), stage.window.display(),
+            stage.window.refresh_hz(),   timing_of(options, study, stage.window, stage.pace)};
     }
 
     void run() {
@@ -274,7 +307,11 @@ class Kiosk {
             return study_.words("op_withdrawn", {{"folder", options_.backups.string()}});
         };
         hooks.machine_lines = [this] {
-            return machine_lines(study_.words, options_, machine_.timing);
+            auto lines = machine_lines(study_.words, options_, machine_.timing);
+            if (!options_.windowed && !stage_.window.has_all_keys()) {
+                lines.push_back(study_.words("op_keys_free"));
+            }
+            return lines;
         };
         hooks.pin = pin_file(options_.data);
         return hooks;
@@ -301,6 +338,7 @@ class Kiosk {
         plan.participant_id = unique_id("p");
         plan.session_id = unique_id("s");
         plan.images = images_of(study_, manifest_);
+        plan.questions = options_.questions;
         plan.machine = machine_;
         plan.override_reason = options_.override_reason;
         plan.order = study_.session_order(stimuli::next_slot(taken));
@@ -348,7 +386,8 @@ class Kiosk {
                 return event.session_id == session.session_id &&
                        event.name == kInstructionsReadEvent;
             });
-        return resume(session, trials, instructions_read, std::move(plan));
+        plan.questions = options_.questions;
+        return resume(session, trials, so_far->events, instructions_read, std::move(plan));
     }
 
     /// Closing a session for good is asked about twice.
@@ -373,7 +412,8 @@ class Kiosk {
     }
 
     End resume(const analysis::SessionRecord& session,
-               const std::vector<analysis::TrialRecord>& trials, bool instructions_read,
+               const std::vector<analysis::TrialRecord>& trials,
+               const std::vector<analysis::EventRecord>& events, bool instructions_read,
                SessionPlan plan) {
         plan.machine = machine_;
         plan.override_reason = options_.override_reason;
@@ -386,7 +426,7 @@ class Kiosk {
         }
         if (spool_) follow(session, trials);
         Procedure procedure(study_, std::move(plan));
-        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now));
+        return play(procedure, procedure.resume(trials, instructions_read, elapsed_s, now, events));
     }
 
     /// Makes a session that goes on whole for the spool, as far as the server had it.
@@ -415,7 +455,19 @@ class Kiosk {
 WindowOptions window_options(const stimuli::Study& study, const KioskOptions& options) {
     const Extent image{study.width, study.height};
     const bool beside = study.presentation.layout == stimuli::Layout::kSideBySide;
-    return {options.monitor, options.windowed, beside ? room_beside(image) : image};
+    WindowOptions wanted{0, options.windowed, beside ? room_beside(image) : image};
+    wanted.patch = options.photodiode;
+    const std::string monitor =
+        options.monitor.empty() ? known_displays(options.data).monitor : options.monitor;
+    const bool is_number =
+        !monitor.empty() && monitor.size() <= 2 &&
+        std::all_of(monitor.begin(), monitor.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (is_number) {
+        wanted.monitor = std::stoi(monitor);
+    } else {
+        wanted.monitor_name = monitor;
+    }
+    return wanted;
 }
 
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
@@ -424,6 +476,18 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
     Window window(window_options(study, options));
+    remember(options, window);
+    const ScreenSaverHold awake;
+    base::log::info(
+        "{}", awake.by().empty()
+                  ? std::string("nothing holds off screen saver and power saving: "
+                                "switch them off")
+                  : fmt::format("screen saver and power saving are held off by {}", awake.by()));
+    std::optional<ResponseBox> box;
+    if (!options.response_box.device.empty()) {
+        box.emplace(options.response_box, [] { glfwPostEmptyEvent(); });
+        window.listen_to(&*box);
+    }
     // Opened once to refuse what is no store before a lock is made beside it, and again under the
     // lock: `obscura demo` may have replaced the file in between.
     (void)analysis::Store(options.store_url, analysis::Store::Access::kReadWrite);

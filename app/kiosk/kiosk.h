@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "app/kiosk/display_facts.h"
+#include "app/kiosk/response_box.h"
 #include "app/kiosk/window.h"
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {
@@ -16,10 +19,14 @@ struct KioskOptions {
     std::filesystem::path backups;  ///< folder for copies of an SQLite store
     std::string
         remedy;  ///< the command that makes the images, for the message that they are missing
-    int monitor = 0;
+    std::string monitor = {};  ///< its name or number; empty: the last one, at first 0
     bool windowed = false;
     std::string override_reason;  ///< why to go on where the start refuses; empty: it refuses
     std::filesystem::path data;   ///< where the last self-test lies
+    DisplayFacts facts = {};      ///< that the operator gave this time
+    ResponseBoxOptions response_box = {};
+    bool photodiode = false;            ///< a square in a corner, white while an image is shown
+    stimuli::Questions questions = {};  ///< that the study asks of each pair
 };
 
 /// A window with room for what the study shows.

@@ -67,7 +67,8 @@ class Layout {
 
 }  // namespace
 
-std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
+std::vector<std::string> notes_on_pages(const stimuli::Study& study,
+                                        const stimuli::Questions& questions) {
     const Extent window{std::max(kSmallestWindow.width, study.width),
                         std::max(kSmallestWindow.height, study.height)};
     Layout layout(study.words, window);
@@ -92,7 +93,15 @@ std::vector<std::string> notes_on_pages(const stimuli::Study& study) {
              [&](const Fonts& fonts) { (void)consent_screen(fonts, *study.consent, draft); });
     }
     note("the form is", [&](const Fonts& fonts) { (void)form_screen(fonts, study, draft); });
-    note("the question is", [&](const Fonts& fonts) { (void)question_screen(fonts, study, at); });
+    if (questions.list.empty()) {
+        note("the question is",
+             [&](const Fonts& fonts) { (void)question_screen(fonts, study, at); });
+    }
+    for (const stimuli::Question& question : questions.list) {
+        const AskedPage page{&question, question.each_image ? 1 : 0};
+        note(fmt::format("the question {} is", question.id).c_str(),
+             [&](const Fonts& fonts) { (void)question_screen(fonts, study, at, page); });
+    }
     note("the thanks are",
          [&](const Fonts& fonts) { thanks_screen(fonts, study, study.words("all_saved")); });
     note("the list of pairs is",

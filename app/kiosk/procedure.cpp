@@ -44,7 +44,13 @@ FormProblems problems_of(const Form& form, const stimuli::Study& study) {
 }
 
 Procedure::Procedure(const stimuli::Study& study, SessionPlan plan)
-    : study_(&study), plan_(std::move(plan)), latest_s_(-std::numeric_limits<double>::infinity()) {}
+    : study_(&study), plan_(std::move(plan)), latest_s_(-std::numeric_limits<double>::infinity()) {
+    for (std::size_t i = 0; i < plan_.questions.list.size(); ++i) {
+        const bool each = plan_.questions.list[i].each_image;
+        pages_.push_back({i, each ? 1 : 0});
+        if (each) pages_.push_back({i, 2});
+    }
+}
 
 void Procedure::change_order(stimuli::SessionOrder order) {
     assert(pair_ == 0 && order.conditions.size() == plan_.order.conditions.size());
@@ -145,7 +151,7 @@ void Procedure::note_onset(double time_s) {
     const bool both = screen_ == Screen::kBothImages;
     if (screen_ == Screen::kFirstImage || both) trial_.first_onset_s = time_s;
     if (screen_ == Screen::kSecondImage || both) trial_.second_onset_s = time_s;
-    if (screen_ == Screen::kQuestion) trial_.question_onset_s = time_s;
+    if (screen_ == Screen::kQuestion && page_ == 0) trial_.question_onset_s = time_s;
     // An image that went by itself was seen until this.
     if (!went_by_itself_s_) return;
     const bool second = screen_ == Screen::kQuestion;
@@ -214,7 +220,10 @@ std::vector<Row> Procedure::participant_did(const Event& event, const Moment& no
             break;
         case Screen::kQuestion:
             if (const auto* answered = std::get_if<Answered>(&event)) {
-                return answer(answered->first, now);
+                return answer(answered->first ? 0 : 1, now);
+            }
+            if (const auto* pressed = std::get_if<AnswerPressed>(&event)) {
+                return answer(pressed->answer, now);
             }
             break;
         case Screen::kFeedback:
@@ -272,6 +281,8 @@ std::vector<Row> Procedure::begin(const Form& form, const Moment& now) {
 
 void Procedure::begin_pair() {
     trial_ = {};
+    page_ = 0;
+    chose_first_.reset();
     const bool beside = study_->presentation.layout == stimuli::Layout::kSideBySide;
     show(beside ? Screen::kBothImages : Screen::kFirstImage);
 }
@@ -292,17 +303,6 @@ void Procedure::time_passed(double expected_onset_s) {
     const double seen_from_s = since_s_ - seen_before_s_;
     leave_image(expected_onset_s - seen_from_s);
     went_by_itself_s_ = seen_from_s;
-}
-
-std::vector<Row> Procedure::answer(bool first, const Moment& now) {
-    std::vector<Row> rows{trial_record(first, now)};
-    const stimuli::Condition& condition = study_->conditions.at(plan_.condition_of(pair_));
-    const bool chose_b = first == plan_.b_first(pair_);
-    was_expected_ = chose_b == (condition.expected == 'B');
-    ++pair_;
-    show(condition.practice && condition.expected != '\0' ? Screen::kFeedback : after_pair());
-    if (pair_ == pair_count()) rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
-    return rows;
 }
 
 Screen Procedure::after_pair() const {
@@ -370,7 +370,8 @@ std::vector<Row> Procedure::decide_leave(bool leave, const Moment& now) {
 }
 
 std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& answered,
-                                   bool instructions_read, double elapsed_s, const Moment& now) {
+                                   bool instructions_read, double elapsed_s, const Moment& now,
+                                   const std::vector<analysis::EventRecord>& events) {
     if (static_cast<int>(answered.size()) > pair_count()) {
         throw base::bad_input("session {} has {} answers, the study has {} pairs", plan_.session_id,
                               answered.size(), pair_count());
@@ -390,11 +391,19 @@ std::vector<Row> Procedure::resume(const std::vector<analysis::TrialRecord>& ans
     began_s_ = now.time_s - elapsed_s;
     latest_s_ = now.time_s;
     pair_ = static_cast<int>(answered.size());
+    const auto open = pair_ > 0 ? open_page(pair_ - 1, events) : std::nullopt;
+    if (open) --pair_;
     const std::string detail = fmt::format(
         "at pair {} of {}, on {}; {}; {}", std::min(pair_ + 1, pair_count()), pair_count(),
         plan_.machine.software, plan_.machine.gpu_renderer, plan_.machine.display);
     std::vector<Row> rows{event_record("session resumed", detail, now)};
-    if (pair_ == pair_count()) {
+    if (open) {
+        page_ = *open;
+        chose_first_ = answered.back().response_first;
+        const auto& condition = study_->conditions.at(plan_.condition_of(pair_));
+        was_expected_ = answered.back().is_A_selected == (condition.expected == 'A');
+        show(Screen::kQuestion);
+    } else if (pair_ == pair_count()) {
         rows.emplace_back(CompleteSession{plan_.session_id, now.utc});
         show(Screen::kThanks);
     } else {

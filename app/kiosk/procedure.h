@@ -28,7 +28,7 @@ enum class Screen {
     kInterval,  ///< between the two images; nothing shortens it
     kSecondImage,
     kBothImages,    ///< in place of these three, where they are shown side by side
-    kQuestion,      ///< which of the two?
+    kQuestion,      ///< which of the two? And what else the study asks, one page each
     kFeedback,      ///< whether the answer to a pair of practice was the expected one
     kPracticeOver,  ///< from now on it counts
     kBreak,
@@ -81,6 +81,10 @@ struct SpacePressed {};  ///< or what else the study lets end the look at an ima
 struct Answered {
     bool first = false;  ///< the image shown first was chosen
 };
+/// An answer of the question on the screen, of which Answered is the first or the second.
+struct AnswerPressed {
+    int answer = 0;  ///< from 0, in the order of the question's labels
+};
 /// From feedback, the end of practice or a break.
 struct WentOn {};
 struct NextParticipant {};
@@ -106,9 +110,9 @@ struct LeaveConfirmed {};
 struct LeaveCancelled {};
 using Event =
     std::variant<StartPressed, InformationRead, ConsentGiven, CodeTakenBack, CodeConfirmed,
-                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered, WentOn,
-                 NextParticipant, ScreenPresented, EndSeen, Tick, ScreenHidden, ScreenSeen,
-                 LeaveRequested, LeaveConfirmed, LeaveCancelled>;
+                 FormSubmitted, InstructionsRead, PairPressed, SpacePressed, Answered,
+                 AnswerPressed, WentOn, NextParticipant, ScreenPresented, EndSeen, Tick,
+                 ScreenHidden, ScreenSeen, LeaveRequested, LeaveConfirmed, LeaveCancelled>;
 
 /// When an event happened.
 struct Moment {
@@ -141,6 +145,21 @@ struct Progress {
     bool practice = false;
 };
 
+/// A page of the questions of a pair.
+struct AskedPage {
+    const stimuli::Question* question = nullptr;  ///< nullptr: the study's one question, a choice
+    int image = 0;  ///< that it is about: 1 the first shown, 2 the second; 0: the pair
+    [[nodiscard]] int answer_count() const {
+        return question == nullptr ? 2 : question->answer_count();
+    }
+};
+/// What stands on that answer's button, in the study's words or the kiosk's; a step of a scale
+/// without words of its own is its number.
+[[nodiscard]] std::string label_of(const stimuli::Study& study, const AskedPage& page, int answer);
+/// The words for one of the two images by its place, from 1: first and second, or where they were
+/// side by side left and right.
+[[nodiscard]] std::string name_of_image(const stimuli::Study& study, int image);
+
 /// One participant's way through a study, as in Jakobsen 2010, 5.4 and appendix D unless the study
 /// says otherwise: form, instructions, and for each pair its button, the first image until space,
 /// the grey interval, the second image until space, the question. Practice comes before the pairs
@@ -163,11 +182,14 @@ class Procedure {
 
     /// Continues a session that was cut off, at the first pair without an answer; gives its rows.
     /// The instructions come first unless they were read and a pair was answered.
-    /// `answered` holds its trials so far, from index 0 without a gap; `elapsed_s` is the time
-    /// since the session began. Throws bad input when the trials are not those of the plan.
+    /// `answered` holds its trials so far, from index 0 without a gap; `events` may hold more than
+    /// its own, and of the last pair only those questions are asked that none of them answers;
+    /// `elapsed_s` is the time since the session began. Throws bad input when the trials are not
+    /// those of the plan.
     [[nodiscard]] std::vector<Row> resume(const std::vector<analysis::TrialRecord>& answered,
                                           bool instructions_read, double elapsed_s,
-                                          const Moment& now);
+                                          const Moment& now,
+                                          const std::vector<analysis::EventRecord>& events = {});
 
     /// Takes another order of the same conditions, for a session of which no pair was shown yet.
     void change_order(stimuli::SessionOrder order);
@@ -188,6 +210,13 @@ class Procedure {
     [[nodiscard]] int pair() const { return pair_; }
     [[nodiscard]] int pair_count() const { return plan_.pair_count(); }
     [[nodiscard]] Progress progress() const;
+    /// On the screen kQuestion: what is asked.
+    [[nodiscard]] AskedPage asked() const { return page_at(page_); }
+    /// Its number among the pages of a pair, from 0.
+    [[nodiscard]] int page() const { return static_cast<int>(page_); }
+    /// On its later pages: whether the image shown first was chosen on the first; nothing: no
+    /// difference was seen, or the choice was made before the session was cut off.
+    [[nodiscard]] std::optional<bool> chose_first() const { return chose_first_; }
     /// On the screen kFeedback: whether the answer was the expected one.
     [[nodiscard]] bool was_expected() const { return was_expected_; }
     /// Whether the session has begun and is not complete.
@@ -239,7 +268,23 @@ class Procedure {
     /// The image on the screen is left for the next screen of the pair.
     void leave_image(double seen_s);
     void time_passed(double expected_onset_s);
-    std::vector<Row> answer(bool first, const Moment& now);
+    // procedure_answers.cpp: the questions of a pair.
+    std::vector<Row> answer(int answer, const Moment& now);
+    [[nodiscard]] AskedPage page_at(std::size_t page) const;
+    /// What an answer of a page is about: pair, A or B.
+    [[nodiscard]] std::string about(const AskedPage& page, int pair) const;
+    /// On the first page: which image was chosen.
+    std::vector<Row> choose(int answer, const Moment& now);
+    /// To the next page, or on from the pair.
+    void go_on_asking(std::vector<Row>& rows, const Moment& now);
+    /// The page of the last answered pair that is still to be answered; nothing: none is.
+    [[nodiscard]] std::optional<std::size_t> open_page(
+        int trial_index, const std::vector<analysis::EventRecord>& events) const;
+    /// For which image an answer without a difference counts in the trial's row: in an attention
+    /// check the one that was not expected, else by a coin that session and condition fix, the same
+    /// for a pair and what repeats it.
+    [[nodiscard]] bool coin_shows_first() const;
+    [[nodiscard]] analysis::EventRecord answer_record(int answer, const Moment& now) const;
     /// After an answer or its feedback.
     [[nodiscard]] Screen after_pair() const;
     std::vector<Row> end_break(const Moment& now);
@@ -279,6 +324,14 @@ class Procedure {
     bool began_ = false;
     double began_s_ = 0.0;
     int pair_ = 0;
+    /// A page by the number of its question in the plan's list, and AskedPage::image.
+    struct PageEntry {
+        std::size_t question = 0;
+        int image = 0;
+    };
+    std::vector<PageEntry> pages_;  ///< of each pair; none: the choice alone
+    std::size_t page_ = 0;          ///< the one on the screen
+    std::optional<bool> chose_first_;
     bool was_expected_ = false;
     /// Since when the image that just went by itself was seen; nothing: none did, or it was hidden.
     std::optional<double> went_by_itself_s_;

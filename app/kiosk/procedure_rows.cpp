@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/kiosk/procedure.h"
+#include "stimuli/questions.h"
 #include "stimuli/variant_names.h"
 
 namespace obscura::app::kiosk {
@@ -81,7 +82,7 @@ analysis::SessionRecord Procedure::session_record(const Moment& now) const {
             .display = plan_.machine.display,
             .refresh_hz = plan_.machine.refresh_hz,
             .exclusion = study_->exclusion.to_json(),
-            .study_plan = study_->plan_json(),
+            .study_plan = stimuli::plan_json(*study_, plan_.questions),
             .timing = plan_.machine.timing};
 }
 
@@ -135,7 +136,7 @@ std::string Procedure::place() const {
         case Screen::kSecondImage:
             return pair + ", second image";
         case Screen::kQuestion:
-            return pair + ", question";
+            return pair + (page_ == 0 ? ", question" : ", question " + asked().question->id);
         default:
             return "between the pairs";
     }

@@ -78,8 +78,9 @@ void draw_fields(const Fonts& fonts, const std::vector<stimuli::FormField>& fiel
 [[nodiscard]] std::optional<Event> pairs_screen(const Fonts& fonts, const Progress& at,
                                                 bool next_button = false);
 
+/// A page of the questions of a pair.
 [[nodiscard]] std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& study,
-                                                   const Progress& at);
+                                                   const Progress& at, const AskedPage& page = {});
 
 /// After a pair of practice whose answer was expected.
 [[nodiscard]] std::optional<Event> feedback_screen(const Fonts& fonts, bool was_expected);

@@ -61,6 +61,7 @@ class SelfTester {
 
   private:
     void draw(bool image) const {
+        window_.light_patch(image);
         if (image) {
             image_.draw(window_.size(), study_.presentation.grey_level);
         } else {

@@ -9,6 +9,7 @@
 #include "analysis/store/records.h"
 #include "stimuli/manifest.h"
 #include "stimuli/order/order.h"
+#include "stimuli/questions.h"
 #include "stimuli/study.h"
 
 namespace obscura::app::kiosk {
@@ -38,6 +39,7 @@ struct SessionPlan {
     Machine machine;
     std::string override_reason = {};                  ///< TrialRecord::override_reason
     std::vector<std::string> known_codes = {};         ///< of those who took part before
+    stimuli::Questions questions = {};                 ///< that the study asks of each pair
     std::vector<std::array<StimulusImage, 2>> images;  ///< by condition index: A, B
 
     // All pairs in order of showing, from 0: practice first, whose conditions are the study's last.

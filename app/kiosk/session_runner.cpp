@@ -3,15 +3,11 @@
 #include "app/kiosk/session_runner.h"
 
 #include <epoxy/gl.h>
-// After epoxy, which brings the OpenGL declarations.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <map>
 
 #include "app/kiosk/clock.h"
-#include "app/window/letters.h"
+#include "app/kiosk/key_names.h"
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 
@@ -28,34 +24,15 @@ constexpr double kImageWait_s = 0.5;
            screen == Screen::kSecondImage || screen == Screen::kBothImages;
 }
 
-/// The key that a study file calls so.
-[[nodiscard]] int key_named(const std::string& name) {
-    static const std::map<std::string, int> kNamed{
-        {"space", GLFW_KEY_SPACE},     {"enter", GLFW_KEY_ENTER},
-        {"left", GLFW_KEY_LEFT},       {"right", GLFW_KEY_RIGHT},
-        {"up", GLFW_KEY_UP},           {"down", GLFW_KEY_DOWN},
-        {"page-up", GLFW_KEY_PAGE_UP}, {"page-down", GLFW_KEY_PAGE_DOWN}};
-    if (const auto named = kNamed.find(name); named != kNamed.end()) return named->second;
-    const char letter = name.at(0);
-    return letter >= '0' && letter <= '9' ? GLFW_KEY_0 + (letter - '0')
-                                          : window::key_of_letter(letter);
-}
-
 [[nodiscard]] bool advances(const KeyPress& press, const stimuli::Study& study) {
     return std::any_of(study.presentation.advance.begin(), study.presentation.advance.end(),
-                       [&](const std::string& name) {
-                           const int key = key_named(name);
-                           const bool on_pad =
-                               (key == GLFW_KEY_ENTER && press.key == GLFW_KEY_KP_ENTER) ||
-                               (key >= GLFW_KEY_0 && key <= GLFW_KEY_9 &&
-                                press.key == GLFW_KEY_KP_0 + (key - GLFW_KEY_0));
-                           return press.key == key || on_pad;
-                       });
+                       [&](const std::string& name) { return is_key(press, name); });
 }
 
 /// What a key means on that screen, beside what its page makes of it.
-[[nodiscard]] std::optional<Event> meaning_of(const KeyPress& press, Screen screen,
+[[nodiscard]] std::optional<Event> meaning_of(const KeyPress& press, const Procedure& procedure,
                                               const stimuli::Study& study) {
+    const Screen screen = procedure.screen();
     if (is_operators_key(press)) return LeaveRequested{};
     if (screen == Screen::kThanks && is_operators_key(press, 'n')) return NextParticipant{};
     if (screen == Screen::kKnownCode && is_operators_key(press, 'o')) return CodeConfirmed{};
@@ -64,21 +41,8 @@ constexpr double kImageWait_s = 0.5;
         return std::nullopt;
     }
     if (screen != Screen::kQuestion) return std::nullopt;
-    switch (press.key) {
-        case GLFW_KEY_1:
-        case GLFW_KEY_KP_1:
-            return Answered{true};
-        case GLFW_KEY_2:
-        case GLFW_KEY_KP_2:
-            return Answered{false};
-        // Towards the button: on a mirrored page the first is at the right.
-        case GLFW_KEY_LEFT:
-            return Answered{!study.words.right_to_left()};
-        case GLFW_KEY_RIGHT:
-            return Answered{study.words.right_to_left()};
-        default:
-            return std::nullopt;
-    }
+    const std::optional<int> answer = answer_of(press, study, procedure.asked());
+    return answer ? std::optional<Event>(AnswerPressed{*answer}) : std::nullopt;
 }
 
 [[nodiscard]] Trouble trouble_of(const Row& row, const std::string& reason,
@@ -297,6 +261,7 @@ void SessionRunner::go_on_until_due() {
 void SessionRunner::draw_still(Screen screen) {
     const Extent frame = stage_.window.size();
     const int grey = stage_.study.presentation.grey_level;
+    stage_.window.light_patch(screen != Screen::kInterval);
     if (screen == Screen::kInterval) {
         interval_.draw(frame);
     } else if (screen == Screen::kBothImages) {
@@ -309,6 +274,7 @@ void SessionRunner::draw_still(Screen screen) {
 }
 
 void SessionRunner::draw_page(Screen screen) {
+    stage_.window.light_patch(false);
     const Fonts& fonts = stage_.ui.fonts();
     const Progress at = procedure_.progress();
     std::optional<Event> pressed;
@@ -335,7 +301,7 @@ void SessionRunner::draw_page(Screen screen) {
             pressed = pairs_screen(fonts, at, stage_.study.has_next_button());
             break;
         case Screen::kQuestion:
-            pressed = question_screen(fonts, stage_.study, at);
+            pressed = question_screen(fonts, stage_.study, at, procedure_.asked());
             break;
         case Screen::kFeedback:
             pressed = feedback_screen(fonts, procedure_.was_expected());
@@ -370,7 +336,7 @@ void SessionRunner::forward_presses() {
     watch();
     Input& input = stage_.window.input();
     for (const KeyPress& press : input.take_keys()) {
-        if (const auto event = meaning_of(press, procedure_.screen(), stage_.study)) {
+        if (const auto event = meaning_of(press, procedure_, stage_.study)) {
             feed(*event, moment_at(press.time_s));
         }
     }

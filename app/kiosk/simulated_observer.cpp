@@ -86,6 +86,39 @@ struct Action {
     Event event;
 };
 
+/// The answer to a question that is no plain choice; nothing: it is one.
+[[nodiscard]] std::optional<Action> other_answer(const Procedure& procedure, base::Random& random) {
+    using stimuli::QuestionKind;
+    const AskedPage page = procedure.asked();
+    if (page.question == nullptr || page.question->kind == QuestionKind::kChoice) {
+        if (page.question == nullptr || procedure.page() == 0) return std::nullopt;
+        // Mostly as the pairs are compared.
+        constexpr double kAlike = 0.8;
+        const double after_s = draw(random, kAnswering);
+        const bool first = procedure.chose_first().value_or(random.uniform() < 0.5);
+        const bool alike = random.uniform() < kAlike;
+        return Action{after_s, AnswerPressed{first == alike ? 0 : 1}};
+    }
+    if (page.question->kind == QuestionKind::kChoiceOrNone) {
+        constexpr double kNoDifference = 0.15;
+        if (random.uniform() < kNoDifference) {
+            return Action{draw(random, kAnswering), AnswerPressed{2}};
+        }
+        if (procedure.page() == 0) return std::nullopt;
+        return Action{draw(random, kAnswering), AnswerPressed{random.uniform() < 0.5 ? 0 : 1}};
+    }
+    // A step about the middle; of one image higher where that was chosen.
+    const auto last = static_cast<double>(page.answer_count() - 1);
+    double step = 0.5 * last + 0.2 * last * draw_normal(random);
+    if (page.image != 0 && procedure.chose_first()) {
+        constexpr double kLiking = 0.1;
+        step += (*procedure.chose_first() == (page.image == 1) ? kLiking : -kLiking) * last;
+    }
+    const double after_s = draw(random, kAnswering);
+    return Action{after_s,
+                  AnswerPressed{static_cast<int>(std::lround(std::clamp(step, 0.0, last)))}};
+}
+
 [[nodiscard]] Action next_action(const Procedure& procedure, Observer& observer,
                                  base::Random& random) {
     switch (procedure.screen()) {
@@ -110,6 +143,7 @@ struct Action {
         case Screen::kBothImages:
             return {draw(random, kLooking), SpacePressed{}};
         case Screen::kQuestion: {
+            if (const auto other = other_answer(procedure, random)) return *other;
             const SessionPlan& plan = procedure.plan();
             const std::size_t condition = plan.condition_of(procedure.pair());
             const double after_s = draw(random, kAnswering);

@@ -115,9 +115,10 @@ std::optional<SelfTest> last_self_test(const std::filesystem::path& data) {
 }
 
 std::string session_timing(const std::string& source, double frame_ms, bool waits,
-                           const std::optional<SelfTest>& last) {
+                           const std::optional<SelfTest>& last, const std::string& screen) {
     Json timing{{"source", source}, {"frame_ms", frame_ms}, {"waits", waits}};
     timing["self_test"] = last ? json_of(*last) : Json(nullptr);
+    if (!screen.empty()) timing["screen"] = Json::parse(screen);
     return timing.dump();
 }
 

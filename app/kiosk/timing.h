@@ -53,8 +53,10 @@ struct SelfTest {
 [[nodiscard]] std::filesystem::path self_test_file(const std::filesystem::path& data);
 
 /// How times came about in a session, as SessionRecord::timing: an object of JSON with source,
-/// frame_ms, waits, and self_test, the last one on this monitor and GPU or null.
+/// frame_ms, waits, self_test, the last one on this monitor and GPU or null, and where something is
+/// known of the screen that, as screen_json() has it.
 [[nodiscard]] std::string session_timing(const std::string& source, double frame_ms, bool waits,
-                                         const std::optional<SelfTest>& last);
+                                         const std::optional<SelfTest>& last,
+                                         const std::string& screen = {});
 
 }  // namespace obscura::app::kiosk

@@ -13,6 +13,9 @@
 #include <utility>
 
 #include "app/kiosk/clock.h"
+#include "app/kiosk/key_names.h"
+#include "app/kiosk/keyboard_grab.h"
+#include "app/kiosk/response_box.h"
 #include "app/window/glfw.h"
 #include "renderer/base/error.h"
 
@@ -28,17 +31,23 @@ namespace {
     return mode != nullptr ? Extent{mode->width, mode->height} : Extent{};
 }
 
-[[nodiscard]] GLFWmonitor* find_monitor(int index) {
+[[nodiscard]] GLFWmonitor* find_monitor(const WindowOptions& wanted) {
     int count = 0;
     GLFWmonitor** monitors = glfwGetMonitors(&count);
     if (count == 0) throw base::failure("no monitor is connected to this display");
-    if (index >= 0 && index < count) return monitors[index];
+    const int index = wanted.monitor;
+    const bool by_name = !wanted.monitor_name.empty();
+    if (!by_name && index >= 0 && index < count) return monitors[index];
+    for (int i = 0; by_name && i < count; ++i) {
+        if (wanted.monitor_name == glfwGetMonitorName(monitors[i])) return monitors[i];
+    }
     std::string known;
     for (int i = 0; i < count; ++i) {
         known += fmt::format("{}{} ({} {})", i == 0 ? "" : ", ", i, glfwGetMonitorName(monitors[i]),
                              text_of(size_of(monitors[i])));
     }
-    throw base::bad_input("--monitor: {} is not connected, there is {}", index, known);
+    throw base::bad_input("--monitor: {} is not connected, there is {}",
+                          by_name ? wanted.monitor_name : std::to_string(index), known);
 }
 
 void require_room(Extent place, Extent room, const std::string& what) {
@@ -116,6 +125,7 @@ Window::Window(const WindowOptions& options) {
     try {
         open(options);
         settle();
+        if (!windowed_) has_all_keys_ = grab_keyboard(window_);
         require_room(size(), options.room, "the window");
         gpu_renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
         describe_display();
@@ -134,10 +144,11 @@ Window::~Window() {
 }
 
 void Window::open(const WindowOptions& options) {
-    GLFWmonitor* monitor = find_monitor(options.monitor);
+    GLFWmonitor* monitor = find_monitor(options);
     monitor_name_ = glfwGetMonitorName(monitor);
     monitor_size_ = size_of(monitor);
     windowed_ = options.windowed;
+    patch_ = options.patch;
     require_room(monitor_size_, options.room,
                  fmt::format("monitor {} ({})", options.monitor, monitor_name_));
     glfwGetMonitorPos(monitor, &wanted_.left, &wanted_.top);
@@ -294,6 +305,7 @@ void Window::restore() {
         glfwSetWindowMonitor(window_, its, 0, 0, extent.width, extent.height, rate);
     }
     glfwFocusWindow(window_);
+    has_all_keys_ = grab_keyboard(window_);
 }
 
 Extent Window::size() const {
@@ -302,15 +314,41 @@ Extent Window::size() const {
     return extent;
 }
 
-void Window::wait_for_events(double timeout_s) { glfwWaitEventsTimeout(std::max(1e-4, timeout_s)); }
+void Window::wait_for_events(double timeout_s) {
+    glfwWaitEventsTimeout(std::max(1e-4, timeout_s));
+    take_box_presses();
+}
 
-void Window::poll_events() { glfwPollEvents(); }
+void Window::poll_events() {
+    glfwPollEvents();
+    take_box_presses();
+}
+
+void Window::take_box_presses() {
+    if (box_ == nullptr) return;
+    for (const ResponseBox::Press& press : box_->take()) {
+        input_.key_down({key_named(press.key), 0, press.time_s});
+    }
+}
+
+/// In the lower left corner, a twelfth of the height.
+void Window::draw_patch() const {
+    constexpr int kPart = 12;
+    const int side = size().height / kPart;
+    const float level = lit_ ? 1.0F : 0.0F;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, side, side);
+    glClearColor(level, level, level, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
 
 bool Window::take_damage() { return std::exchange(damaged_, false); }
 
 void Window::hide_pointer() { glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN); }
 
 double Window::present() {
+    if (patch_) draw_patch();
     glfwSwapBuffers(window_);
     return swap_clock_->shown_s();
 }

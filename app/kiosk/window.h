@@ -14,6 +14,8 @@ struct GLFWmonitor;
 
 namespace obscura::app::kiosk {
 
+class ResponseBox;
+
 /// Width and height in pixels.
 struct Extent {
     int width = 0;
@@ -25,9 +27,11 @@ struct Extent {
 inline constexpr Extent kSmallestWindow{1024, 720};
 
 struct WindowOptions {
-    int monitor = 0;        ///< index of the monitor, from 0
-    bool windowed = false;  ///< a plain window instead of the whole monitor
-    Extent room;            ///< the window must hold an image of this size at 1:1
+    int monitor = 0;                ///< index of the monitor, from 0
+    bool windowed = false;          ///< a plain window instead of the whole monitor
+    Extent room;                    ///< the window must hold an image of this size at 1:1
+    std::string monitor_name = {};  ///< instead of its index; empty: that
+    bool patch = false;             ///< a square in a corner for a photodiode
 };
 
 /// What keeps a window from being seen whole and in front, and from the keys. Each but the first
@@ -50,6 +54,10 @@ class Window {
     Window& operator=(const Window&) = delete;
 
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
+    [[nodiscard]] const std::string& monitor_name() const { return monitor_name_; }
+    [[nodiscard]] Extent monitor_size() const { return monitor_size_; }
+    /// Whether all keys come here, also those of the window manager: of a whole monitor only.
+    [[nodiscard]] bool has_all_keys() const { return has_all_keys_; }
     /// In pixels.
     [[nodiscard]] Extent size() const;
     [[nodiscard]] const std::string& gpu_renderer() const { return gpu_renderer_; }
@@ -61,6 +69,10 @@ class Window {
     /// Lets events in; returns at the latest after that time.
     void wait_for_events(double timeout_s);
     void poll_events();
+    /// Takes what the box sends for keys from now on; it must outlive the window's events.
+    void listen_to(ResponseBox* box) { box_ = box; }
+    /// With WindowOptions::patch: white from the next present() on, or black.
+    void light_patch(bool lit) { lit_ = lit; }
     /// What keyboard and mouse did.
     [[nodiscard]] Input& input() { return input_; }
     /// Whether the system lost what was drawn, so that it must be drawn again; asked once.
@@ -97,6 +109,8 @@ class Window {
     void settle();
     void set_callbacks();
     void describe_display();
+    void take_box_presses();
+    void draw_patch() const;
     [[nodiscard]] Place place() const;
     [[nodiscard]] bool is_in_place() const;
     /// The window's; nullptr: it is gone. Looked for anew each time: GLFW frees a monitor that
@@ -111,6 +125,10 @@ class Window {
     Extent monitor_size_;  ///< as it was at first
     std::unique_ptr<CoverWatch> cover_;
     std::unique_ptr<SwapClock> swap_clock_;
+    ResponseBox* box_ = nullptr;
+    bool has_all_keys_ = false;
+    bool patch_ = false;
+    bool lit_ = false;
     bool focused_ = true;
     bool iconified_ = false;
     bool in_place_ = true;

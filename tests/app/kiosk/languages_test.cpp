@@ -117,7 +117,8 @@ void draw_operator(const Fonts& fonts, const stimuli::Words& words, OperatorView
     view.sessions = {"(reason)"};
     view.chosen = "(reason)";
     for (const char* key : {"op_sessions", "op_next", "op_checks", "op_disk", "op_timing",
-                            "op_selftest", "op_no_selftest", "op_backed_up", "op_withdrawn"}) {
+                            "op_selftest", "op_no_selftest", "op_backed_up", "op_withdrawn",
+                            "op_screen", "op_no_screen", "op_keys_free"}) {
         view.lines.push_back(words(key));
     }
     view.note = words("op_server_backs_up");
@@ -169,6 +170,15 @@ std::vector<std::function<void(const Fonts&)>> pages_of(const stimuli::Study& st
         },
         [&](const Fonts& fonts) {
             (void)question_screen(fonts, study, {2, 9});
+        },
+        [&](const Fonts& fonts) {
+            // A key without a letter stands on no button.
+            static const stimuli::Question kWithNone{"none",
+                                                     stimuli::QuestionKind::kChoiceOrNone,
+                                                     "?",
+                                                     {},
+                                                     {{"space"}, {"enter"}, {"page-up"}}};
+            (void)question_screen(fonts, study, {2, 9}, {&kWithNone, 0});
         },
         [&](const Fonts& fonts) { thanks_screen(fonts, study, words("all_saved")); },
         [&, saved](const Fonts& fonts) { thanks_screen(fonts, study, saved); },
