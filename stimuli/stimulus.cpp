@@ -11,13 +11,10 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/log.h"
 #include "renderer/frame/everything.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/embedded_shaders.h"
-#include "renderer/gl/program.h"
+#include "renderer/gl/drawing_hash.h"
 #include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
 #include "stimuli/pairs.h"
@@ -33,18 +30,6 @@ constexpr double kSameLuminance = 0.001;
 constexpr int kExposureSteps = 5;
 constexpr double kLeastFactor = 1.0 / 64.0;
 constexpr double kMostFactor = 64.0;
-
-/// Program, driver and, where they are read from a folder, shaders.
-std::string hash_of_environment() {
-    std::string all = base::sha256_hex(base::read_file("/proc/self/exe"));
-    all += renderer::gpu_description();
-    if (!renderer::gl::shader_folder().empty()) {
-        for (const std::string_view path : renderer::shaders::embedded_names()) {
-            all += renderer::gl::shader_source(std::string(path));
-        }
-    }
-    return base::sha256_hex(all);
-}
 
 ManifestToneMapping tone_mapping_of(const renderer::Lighting& lighting) {
     if (!lighting.tone_mapping) return {};
@@ -65,7 +50,7 @@ std::vector<Stimulus> stimuli_of(const Study& study) {
 }
 
 StimulusRenderer::StimulusRenderer(const Study& study, const std::vector<BuiltinScene>& catalogue)
-    : study_(study), catalogue_(catalogue), environment_sha256_(hash_of_environment()) {}
+    : study_(study), catalogue_(catalogue), environment_sha256_(renderer::drawing_sha256()) {}
 
 void StimulusRenderer::load(const StudyScene& scene) {
     if (loaded_.source == scene.source && loaded_.scale == scene.settings.scale) return;

@@ -9,6 +9,7 @@
 #include "app/commands/study_argument.h"
 #include "app/measure/experiment.h"
 #include "app/measure/measure.h"
+#include "app/measure/sweep_views.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/base/own_folder.h"
@@ -41,6 +42,7 @@ base::ExitCode run(MeasureOptions options, const Globals& globals) {
     }
     if (request.out.empty()) request.out = globals.data / "reports" / "measure";
     request.cache = globals.data / "cache" / "reference";
+    request.kept_views = globals.data / "cache" / "measure";
     if (!request.study.empty() && !request.scenes.empty()) {
         throw base::bad_input("--scene measures scenes without a study: leave out {}",
                               request.study);
@@ -64,8 +66,8 @@ base::ExitCode run(MeasureOptions options, const Globals& globals) {
     base::log::info("{}: {} files; look at {}", request.out.string(), written.size(),
                     written.back().string());
     if (measured.interrupted) {
-        throw base::failure("{}; what they gave is in {}", measured.notes.back(),
-                            request.out.string());
+        throw base::failure("{}; what they gave is in {}, {}", measured.notes.back(),
+                            request.out.string(), kGoesOn);
     }
     const std::size_t unexplained = analysis::count_of(measured.report.hard_cases).no;
     if (unexplained > 0) {

@@ -14,9 +14,8 @@
 #include "app/measure/growth.h"
 #include "app/measure/hard_cases.h"
 #include "app/measure/run_experiment.h"
-#include "app/measure/sweep.h"
+#include "app/measure/sweep_views.h"
 #include "renderer/base/error.h"
-#include "renderer/base/interrupt.h"
 #include "renderer/base/progress.h"
 #include "renderer/gl/context.h"
 
@@ -249,9 +248,6 @@ std::vector<std::vector<Setting>> settings_of_all(const MeasureRequest& request,
     return settings;
 }
 
-/// Ends the work on a view that is not finished.
-struct Interrupted {};
-
 void sweep_all(MeasuredScene& stage, const MeasureRequest& request, const stimuli::Study& study,
                const std::vector<MeasuredView>& views, Measured& measured,
                const TimerCheck& timers) {
@@ -267,32 +263,16 @@ void sweep_all(MeasuredScene& stage, const MeasureRequest& request, const stimul
     }
     const std::vector<std::vector<Setting>> settings =
         settings_of_all(request, study, views, fitted);
-    std::size_t count = 0;
-    for (const std::vector<Setting>& of_view : settings) count += of_view.size();
-    base::Progress progress(
-        "measure", count * static_cast<std::size_t>(kDiscardedRuns + *request.runs), request.quiet);
+    SweptViews swept = sweep_views(stage, request, "measure", views, settings, timers);
+    measured.interrupted = swept.interrupted;
+    for (std::string& note : swept.notes) measured.notes.push_back(std::move(note));
     analysis::MeasurementReport& report = measured.report;
     std::vector<std::pair<std::size_t, analysis::ErrorMap>> maps;
-    const base::StopOnInterrupt stop;
-    const auto step = [&](const std::string& what) {
-        if (stop.asked()) throw Interrupted();
-        progress.step(what);
-    };
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        SweptView swept;
-        try {
-            swept = sweep(stage, request, views[i], settings[i], timers, step);
-        } catch (const Interrupted&) {
-            if (i == 0) throw base::failure("interrupted before the first view was finished");
-            measured.interrupted = true;
-            measured.notes.push_back(
-                fmt::format("interrupted: {} of {} views were finished", i, views.size()));
-            break;
-        }
-        for (auto& [row, map] : swept.maps) {
+    for (SweptView& view : swept.views) {
+        for (auto& [row, map] : view.maps) {
             maps.emplace_back(report.rows.size() + row, std::move(map));
         }
-        for (auto& row : swept.rows) report.rows.push_back(std::move(row));
+        for (auto& row : view.rows) report.rows.push_back(std::move(row));
     }
     analysis::name_variants_apart(report.rows);
     analysis::mark_front(report.rows);
@@ -353,7 +333,10 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     }
     if (!request.experiment.empty()) {
         measured.report.of_study = measured.report.asks_order = false;
-        run_experiment(stage, request, study, views, timers, measured.report);
+        for (std::string& note :
+             run_experiment(stage, request, study, views, timers, measured.report)) {
+            measured.notes.push_back(std::move(note));
+        }
         return measured;
     }
     sweep_all(stage, request, study, views, measured, timers);

@@ -31,7 +31,8 @@ struct MeasureRequest {
     std::string experiment;             ///< a paper's, in place of the sweep
     std::filesystem::path write_study;  ///< with `fit`: a copy of the study with fitted values
     std::filesystem::path out;
-    std::filesystem::path cache;  ///< of ray-traced truths
+    std::filesystem::path cache;       ///< of ray-traced truths
+    std::filesystem::path kept_views;  ///< of a run that is ended half-way; empty: none are kept
     bool quiet = false;
 };
 

@@ -9,8 +9,8 @@
 #include "app/measure/experiment.h"
 #include "app/measure/hard_cases.h"
 #include "app/measure/overview_of.h"
-#include "app/measure/sweep.h"
-#include "renderer/base/progress.h"
+#include "app/measure/sweep_views.h"
+#include "renderer/base/error.h"
 #include "renderer/gl/context.h"
 
 namespace obscura::app {
@@ -53,27 +53,30 @@ std::string in_a_sentence(const Outcome& outcome) {
 
 }  // namespace
 
-void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
-                    const stimuli::Study& study, const std::vector<MeasuredView>& views,
-                    const TimerCheck& timers, analysis::MeasurementReport& report) {
+std::vector<std::string> run_experiment(MeasuredScene& stage, const MeasureRequest& request,
+                                        const stimuli::Study& study,
+                                        const std::vector<MeasuredView>& views,
+                                        const TimerCheck& timers,
+                                        analysis::MeasurementReport& report) {
     const Experiment& experiment = *find_experiment(request.experiment);
     const std::vector<MeasuredView> each = one_a_scene(views);
     report.title = experiment.title;
-    base::Progress progress(experiment.name,
-                            each.size() * experiment.settings.size() *
-                                static_cast<std::size_t>(kDiscardedRuns + *request.runs),
-                            request.quiet);
-    HouseTimes house_ms;
-    for (const MeasuredView& view : each) {
-        std::vector<Setting> settings;
+    std::vector<std::vector<Setting>> settings(each.size());
+    for (std::size_t i = 0; i < each.size(); ++i) {
         for (const Experiment::Setting& setting : experiment.settings) {
-            const renderer::Variant variant = on_view(setting.variant, view, study);
-            settings.push_back({variant, truth_radius_m(view, variant), setting.values, ""});
+            const renderer::Variant variant = on_view(setting.variant, each[i], study);
+            settings[i].push_back({variant, truth_radius_m(each[i], variant), setting.values, ""});
         }
-        SweptView swept = sweep(stage, request, view, settings, timers,
-                                [&progress](const std::string& what) { progress.step(what); });
-        for (auto& row : swept.rows) report.rows.push_back(std::move(row));
-        for (auto& ms : swept.house_ms) house_ms.push_back(std::move(ms));
+    }
+    SweptViews swept = sweep_views(stage, request, experiment.name, each, settings, timers);
+    if (swept.interrupted) {
+        throw base::failure("{}, which say nothing without the others; {}", swept.notes.back(),
+                            kGoesOn);
+    }
+    HouseTimes house_ms;
+    for (SweptView& view : swept.views) {
+        for (auto& row : view.rows) report.rows.push_back(std::move(row));
+        for (auto& ms : view.house_ms) house_ms.push_back(std::move(ms));
     }
     std::vector<Outcome> outcomes;
     for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
@@ -102,6 +105,7 @@ void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
     }
     analysis::name_variants_apart(report.rows);
     analysis::mark_front(report.rows);
+    return swept.notes;
 }
 
 }  // namespace obscura::app

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "analysis/measurement/report.h"
@@ -11,8 +12,12 @@
 namespace obscura::app {
 
 /// Runs the request's experiment on the first view of each scene: rows, and findings in sentences.
-void run_experiment(MeasuredScene& stage, const MeasureRequest& request,
-                    const stimuli::Study& study, const std::vector<MeasuredView>& views,
-                    const TimerCheck& timers, analysis::MeasurementReport& report);
+/// Gives what is to be said of how they came. Throws failure when interrupted.
+[[nodiscard]] std::vector<std::string> run_experiment(MeasuredScene& stage,
+                                                      const MeasureRequest& request,
+                                                      const stimuli::Study& study,
+                                                      const std::vector<MeasuredView>& views,
+                                                      const TimerCheck& timers,
+                                                      analysis::MeasurementReport& report);
 
 }  // namespace obscura::app

@@ -145,6 +145,16 @@ std::size_t bytes_of_the_variant(const renderer::FramePlan& plan) {
     return sum;
 }
 
+/// Of accessibility and filter.
+double own_ms(const Frame& frame, bool use_queries) {
+    double sum_ms = 0.0;
+    for (const renderer::PassTime& time : frame.times) {
+        if (!renderer::is_of_the_variant(time.phase)) continue;
+        sum_ms += use_queries ? time.query_milliseconds : time.milliseconds;
+    }
+    return sum_ms;
+}
+
 double second_layer_ms(const Frame& frame, bool use_queries) {
     double sum_ms = 0.0;
     for (const renderer::PassTime& time : frame.times) {
@@ -185,7 +195,7 @@ std::vector<std::uint8_t> surface_mask(const Frame& frame, const renderer::Refer
 
 SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const MeasuredView& view,
                 const std::vector<Setting>& settings, const TimerCheck& timers,
-                const std::function<void(const std::string&)>& step) {
+                const SweepWatcher& watcher) {
     SweptView swept;
     std::map<double, std::vector<std::uint8_t>> true_images;
     for (const Setting& setting : settings) {
@@ -203,8 +213,8 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
     std::vector<std::string> plans;
     std::vector<std::string> plans_of_others;
     renderer::ViewBuffers known;  // what no setting changes is drawn once
-    const auto step_of = [&](const Setting& setting) {
-        step(fmt::format("{} {} {}", view.scene->id, view.camera, setting.choice.variant_name()));
+    const auto name_of = [&](const Setting& setting) {
+        return fmt::format("{} {} {}", view.scene->id, view.camera, setting.choice.variant_name());
     };
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const double radius_m = settings[i].truth_radius_m;
@@ -221,8 +231,9 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
         plans.push_back(key_of(frame.plan()));
         plans_of_others.push_back(key_of_others(frame.plan()));
         others.try_emplace(plans_of_others.back(), OtherPasses{settings[i].choice, {}, {}});
+        const double again_ms = own_ms(frame, timers.use_queries);
         frames.try_emplace(plans.back(), std::move(frame));
-        step_of(settings[i]);
+        watcher.image(name_of(settings[i]), again_ms);
     }
     for (int run = 0; run < *request.runs; ++run) {
         for (auto& [key, passes] : others) {
@@ -241,7 +252,7 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
         for (std::size_t i = 0; i < settings.size(); ++i) {
             const auto passes = stage.render_again(view, frames.at(plans[i]), settings[i].choice);
             if (run >= kDiscardedRuns) times[i].add(passes, timers.use_queries);
-            step_of(settings[i]);
+            watcher.run(name_of(settings[i]));
         }
     }
     for (std::size_t i = 0; i < settings.size(); ++i) {

@@ -34,15 +34,20 @@ struct SweptView {
     std::vector<std::map<std::string, double>> house_ms;
 };
 
+/// Who wants to know how far the sweep of a view is; `what` names view and setting.
+struct SweepWatcher {
+    /// A setting's first image is compared; to run it again takes that long.
+    std::function<void(const std::string& what, double again_ms)> image;
+    std::function<void(const std::string& what)> run;  ///< a setting was run again
+};
+
 /// Renders every setting, compares its accessibility with the truth (surfaces only, because empty
 /// pixels are 1 in both), and then runs its accessibility pass and filter again, one setting after
 /// the other and then all again (A B A B): kDiscardedRuns in all are thrown away, request.runs are
 /// timed. The other passes of a frame are timed as often, once for all settings that have the same.
-/// `step` is called after each image or repetition.
 [[nodiscard]] SweptView sweep(MeasuredScene& stage, const MeasureRequest& request,
                               const MeasuredView& view, const std::vector<Setting>& settings,
-                              const TimerCheck& timers,
-                              const std::function<void(const std::string&)>& step);
+                              const TimerCheck& timers, const SweepWatcher& watcher);
 
 /// The share of width and height at each side that the interior error leaves out.
 inline constexpr double kInteriorMargin = 0.1;

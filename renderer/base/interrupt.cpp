@@ -12,6 +12,7 @@ std::atomic<bool> g_interrupted = false;  // set by a signal handler, which has 
 }  // namespace
 
 StopOnInterrupt::StopOnInterrupt() {
+    g_interrupted = false;
     struct sigaction action = {};
     action.sa_handler = [](int) { g_interrupted = true; };
     action.sa_flags = SA_RESETHAND;

@@ -10,28 +10,27 @@
 
 namespace obscura::base {
 
-Progress::Progress(std::string title, std::size_t total, bool quiet)
+Progress::Progress(std::string title, std::vector<std::size_t> totals, bool quiet)
     : title_(std::move(title)),
-      total_(total),
+      left_(std::move(totals)),
       quiet_(quiet),
-      terminal_(::isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()) {}
+      terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    if (terminal_ && !quiet_ && done_ > 0) fmt::print(stderr, "\n");
+    if (terminal_ && !quiet_ && left_.steps_done() > 0) fmt::print(stderr, "\n");
 }
 
-void Progress::step(std::string_view what) {
-    ++done_;
+void Progress::step(std::string_view what, std::size_t kind) {
+    const std::chrono::duration<double> spent = Clock::now() - start_;
+    left_.done(kind, spent.count() - last_s_);
+    last_s_ = spent.count();
     if (quiet_) return;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    const bool last = done_ == total_;
+    const bool last = left_.steps_done() == left_.steps();
     if (!terminal_ && !last && spent.count() - said_s_ < 1.0) return;
     said_s_ = spent.count();
-    const double left_s =
-        spent.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_);
-    const std::string line = fmt::format("{} {}/{} {} ({:.1f} s, {:.0f} s left)", title_, done_,
-                                         total_, what, spent.count(), left_s);
+    const std::string line =
+        fmt::format("{} {}/{} {} ({:.1f} s, {:.0f} s left)", title_, left_.steps_done(),
+                    left_.steps(), what, spent.count(), left_.seconds());
     if (terminal_) {
         fmt::print(stderr, "\r\033[K{}", line);
         std::fflush(stderr);

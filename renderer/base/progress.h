@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "renderer/base/time_left.h"
 
 namespace obscura::base {
 
@@ -13,23 +16,29 @@ namespace obscura::base {
 /// plain lines elsewhere (at most one a second, and the last), nothing when quiet.
 class Progress {
   public:
-    Progress(std::string title, std::size_t total, bool quiet);
+    Progress(std::string title, std::size_t total, bool quiet)
+        : Progress(std::move(title), std::vector{total}, quiet) {}
+    /// Of work whose steps are of several kinds, so many of each.
+    Progress(std::string title, std::vector<std::size_t> totals, bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// One more of `total` is done; `what` names it. Time left is the mean time of those done so
-    /// far times those that remain.
-    void step(std::string_view what);
+    /// One more is done, of that kind; `what` names it.
+    void step(std::string_view what, std::size_t kind = 0);
+    /// What is known of the time left beside the steps.
+    [[nodiscard]] TimeLeft& left() { return left_; }
 
   private:
+    using Clock = std::chrono::steady_clock;
+
     std::string title_;
-    std::size_t total_;
-    std::size_t done_ = 0;
+    TimeLeft left_;
     double said_s_ = -1.0;  ///< when the last plain line was written
     bool quiet_;
     bool terminal_;
-    std::chrono::steady_clock::time_point start_;
+    Clock::time_point start_ = Clock::now();
+    double last_s_ = 0.0;  ///< when the last step was done
 };
 
 }  // namespace obscura::base

@@ -11,6 +11,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/random.h"
+#include "renderer/base/time_left.h"
 #include "tests/support/temporary_folder.h"
 
 namespace obscura::base {
@@ -61,6 +62,25 @@ TEST(Files, AnUnwritableFolderIsRefusedWithItsOption) {
         EXPECT_NE(std::string(error.what()).find("--out"), std::string::npos);
         EXPECT_NE(std::string(error.what()).find("/proc/no-such"), std::string::npos);
     }
+}
+
+TEST(TimeLeft, IsTheMeanOfEachKindOfStepTimesThoseToCome) {
+    TimeLeft left({2, 10});
+    EXPECT_EQ(left.steps(), 12U);
+    EXPECT_EQ(left.seconds(), 0.0);
+    left.expect(1, 0.5);
+    EXPECT_EQ(left.seconds(), 5.0);
+    left.done(0, 30.0);
+    EXPECT_EQ(left.seconds(), 35.0);
+    left.done(1, 2.0);
+    left.done(1, 4.0);
+    EXPECT_EQ(left.seconds(), 30.0 + 8 * 3.0);
+    left.leave_out(1, 5);
+    EXPECT_EQ(left.seconds(), 30.0 + 3 * 3.0);
+    left.leave_out(1, 50);
+    EXPECT_EQ(left.steps(), 4U);
+    EXPECT_EQ(left.steps_done(), 3U);
+    EXPECT_EQ(left.seconds(), 30.0);
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ Mesh capital_leaf(float radius, float width, float height, float curl, int detai
         const vec2 ahead = spine(std::min(1.0F, v + 0.02F)) - spine(std::max(0.0F, v - 0.02F));
         const vec2 outwards = glm::normalize(vec2(ahead.y, -ahead.x));
         const vec2 place = spine(v) + outwards * thick * glm::smoothstep(-0.02F, 0.12F, v);
-        const float out = radius + place.x;
+        // The foot is open: it stands in the bell, where nobody sees into it.
+        const float out = radius * (0.94F + 0.06F * glm::smoothstep(0.0F, 0.12F, v)) + place.x;
         const float angle = across / radius;
         return vec3(out * std::sin(angle), place.y, out * std::cos(angle));
     });

@@ -197,8 +197,7 @@ Mesh amphora() {
         for (int i = 0; i <= 8; ++i) {
             const float t = static_cast<float>(i) / 8.0F;
             path.emplace_back(
-                side * (0.085F + 0.13F * std::sin(glm::pi<float>() * (0.08F + 0.84F * t)) +
-                        0.09F * t * t),
+                side * (0.073F + 0.16F * std::sin(0.92F * glm::pi<float>() * t) + 0.08F * t * t),
                 0.77F - 0.26F * t, 0.0F);
         }
         append(vase, sweep(circle(0.018F, 6), frames_along(path, {0.0F, 0.0F, 1.0F})));

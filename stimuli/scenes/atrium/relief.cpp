@@ -107,7 +107,7 @@ void build_relief(Site& site) {
         // Hollows keep the dust and soot of centuries.
         const float depth = std::clamp(vertex.position_m.z / (0.3F * kReliefRadius), 0.0F, 1.0F);
         vertex.color = glm::u8vec4(
-            glm::vec4(glm::mix(vec3(175.0F, 165.0F, 150.0F), vec3(255.0F), depth), 255.0F));
+            glm::vec4(glm::mix(vec3(112.0F, 100.0F, 86.0F), vec3(255.0F), depth), 255.0F));
     }
     make_tangents(mask);
     site.put(Surface::kStone, mask, frame, 70000U);

@@ -160,6 +160,12 @@ void build_roof(Site& site, float side, std::uint32_t seed) {
                           glm::vec4(0.5F * (low + high), 1.0F));
     site.put(Surface::kWood, bevelled_box({glm::length(high - low), 0.04F, length}, 0.0F), frame,
              seed);
+    // Each course hangs on a batten.
+    for (int row = 0; row < courses; ++row) {
+        const float up_slope = static_cast<float>(row + 1) / static_cast<float>(courses) - 0.5F;
+        site.put(Surface::kWood, bevelled_box({0.04F, 0.05F, length - 0.1F}, 0.0F),
+                 frame * at(up_slope * glm::length(high - low), 0.025F, 0.0F), seed + 31U);
+    }
     constexpr int kRafters = 44;
     for (int i = 0; i < kRafters; ++i) {
         const float z =

@@ -75,7 +75,7 @@ void put_leaves(Site& site, const Opening& o, const glm::mat4& frame, std::uint3
         sweep(circle(0.011F, 4), frames_along(loop, {0.0F, 0.0F, 1.0F}, true), closed);
     for (const float x : {-0.13F, 0.13F}) {
         site.put(Surface::kIron, handle,
-                 frame * at(o.centre_x + x, foot + 0.5F * height, z + 0.055F), seed);
+                 frame * at(o.centre_x + x, foot + 0.5F * height, z + 0.038F), seed);
     }
     site.put(Surface::kWood, bevelled_box({0.09F, height, 0.04F}, 0.01F),
              frame * at(o.centre_x, foot + 0.5F * height, z + 0.034F), seed + 20U);
@@ -108,7 +108,7 @@ void put_frame(Site& site, const Opening& o, const glm::mat4& frame, std::uint32
     }
     if (!o.door) {
         site.put(Surface::kStone, bevelled_box({2.0F * o.radius + 0.5F, 0.12F, 0.26F}, 0.02F),
-                 frame * at(o.centre_x, o.sill - 0.06F, 0.0F), seed + 3U);
+                 frame * at(o.centre_x, o.sill - 0.056F, 0.0F), seed + 3U);
     }
 }
 

@@ -136,7 +136,8 @@ void add_window(Front& front, float x) {
             const float y = kLow + 0.11F + 0.052F * static_cast<float>(i);
             if (std::abs(y - middle) < 0.06F) continue;
             Mesh slat;
-            append(slat, bevelled_box({0.40F, 0.05F, 0.008F}, 0.0F),
+            // As high as it takes to leave no strip of wall in sight between two of them.
+            append(slat, bevelled_box({0.40F, 0.068F, 0.008F}, 0.0F),
                    {.transform = moved(out, y, z + 0.055F) * about_x(0.75F)});
             front.timber_part(slat, 0.72F);
         }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/list.h"
+#include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -17,13 +19,26 @@ Placed turned(const glm::vec3& origin_m, float turn_rad) {
 }
 
 renderer::Scene build() {
+    // All at once, so that no core waits while one of them is begun or put together.
+    renderer::Scene man;
+    renderer::Scene woman;
     renderer::Scene scene;
+    for_each_row(3, [&](int which) {
+        if (which == 0) {
+            figures::add_to_scene(man, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
+        } else if (which == 1) {
+            figures::add_to_scene(woman, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
+        } else {
+            figures::add_materials(scene);
+            figures::add_surroundings(scene);
+            figures::add_backdrop(scene);
+        }
+    });
     scene.name = "figures";
-    figures::add_materials(scene);
-    figures::add_to_scene(scene, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
-    figures::add_to_scene(scene, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
-    figures::add_surroundings(scene);
-    figures::add_backdrop(scene);
+    for (renderer::Scene* person : {&woman, &man}) {
+        scene.meshes.insert(scene.meshes.begin(), std::move_iterator(person->meshes.begin()),
+                            std::move_iterator(person->meshes.end()));
+    }
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
         renderer::Camera result;
         result.name = name;

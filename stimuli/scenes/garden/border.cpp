@@ -84,11 +84,12 @@ void put_daisies(Assembly& garden, float x, float z, int flowers, const vec3& ti
         const vec3 head = root + vec3(out * std::sin(turn), high, out * std::cos(turn) + 0.03F);
         const std::array<vec3, 3> stem{root, glm::mix(root, head, 0.5F) + vec3(0.0F, 0.04F, -0.01F),
                                        head};
-        garden.put(Surface::kClay, pipe(stem, 0.2F, 0.0022F, 5), glm::mat4(1.0F), 90U,
-                   vec3(0.30F, 0.62F, 0.25F));
-        garden.put_mapped(Surface::kFlower, card(0.062F, 0.062F, 0.5F, 0.0F, 3, 3),
-                          moved(head) * about_y(turn * 0.2F - 0.4F) *
-                              about_x(-draw(random, 0.5F, 1.3F)) * moved(0.0F, -0.031F, 0.0F),
+        garden.put(Surface::kPebble, pipe(stem, 0.2F, 0.0022F, 5), glm::mat4(1.0F), 90U, kStem);
+        // They look up and outwards from their clump, each its own way.
+        const float size = draw(random, 0.046F, 0.066F);
+        garden.put_mapped(Surface::kFlower, card(size, size, draw(random, 0.2F, 0.9F), 0.0F, 3, 3),
+                          moved(head) * about_y(turn + draw(random, -1.0F, 1.0F)) *
+                              about_x(-draw(random, 0.55F, 1.6F)) * moved(0.0F, -0.5F * size, 0.0F),
                           tint);
     }
     for (int i = 0; i < 5 * flowers; ++i) {

@@ -31,10 +31,10 @@ renderer::Scene build() {
 renderer::Lighting lighting(Validity validity) {
     renderer::SkyColours sky;
     sky.towards_sun = kTowardsSun;
-    sky.zenith = {0.66F, 0.84F, 1.20F};
-    sky.horizon = {1.15F, 1.17F, 1.20F};
-    sky.ground = {0.40F, 0.38F, 0.26F};
-    sky.sun_glow = {0.9F, 0.8F, 0.6F};
+    sky.zenith = {0.52F, 0.67F, 0.95F};
+    sky.horizon = {0.86F, 0.89F, 0.94F};
+    sky.ground = {0.42F, 0.40F, 0.30F};
+    sky.sun_glow = {1.4F, 1.25F, 0.95F};
     sky.cloud_cover = 0.45F;
     sky.seed = 11;
     renderer::Lighting light;
@@ -42,7 +42,7 @@ renderer::Lighting lighting(Validity validity) {
     if (validity == Validity::kHigh) {
         light.lights = {{kTowardsSun, vec3(1.0F, 0.92F, 0.78F) * 5.2F}};
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.0F, 4.0F};
+        light.tone_mapping = renderer::ToneMapping{1.2F, 4.0F};
     }
     return light;
 }

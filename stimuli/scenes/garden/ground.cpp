@@ -50,6 +50,42 @@ Mesh stone_shape(std::uint32_t seed) {
     return mesh;
 }
 
+/// What the kerb holds back: without it one would see below the bed between two of its stones.
+void put_bed_face(Assembly& garden) {
+    PatchOptions options;
+    options.columns = 100;
+    options.rows = 1;
+    options.size_m = {kRight - kSideX, 0.3F};
+    const float z = kBedFront - 0.001F;
+    garden.put(Surface::kSoil,
+               patch(options,
+                     [&](float u, float v) {
+                         const float x = glm::mix(kSideX - 0.1F, kRight, u);
+                         return vec3(x, glm::mix(-0.12F, ground_m(x, z), v), z);
+                     }),
+               glm::mat4(1.0F), 4U, vec3(0.8F));
+}
+
+/// Clods on the bed.
+void put_clods(Assembly& garden) {
+    std::array<Mesh, 4> shapes;
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+        shapes[i] = stone_shape(60U + i);
+        for (renderer::Vertex& vertex : shapes[i].vertices) vertex.uv *= 3.0F;
+    }
+    base::Random random(74);
+    for (int i = 0; i < 700; ++i) {
+        const float x = draw(random, -3.8F, 4.6F);
+        const float z = draw(random, kWallZ + 0.1F, kBedFront - 0.07F);
+        const float size = 0.006F + 0.024F * std::pow(draw(random, 0.0F, 1.0F), 3.0F);
+        const auto own = static_cast<std::uint32_t>(random.below(1U << 20U));
+        garden.put(Surface::kSoil, shapes[random.below(shapes.size())],
+                   moved(x, ground_m(x, z) + 0.2F * size, z) * about_y(draw(random, 0.0F, 6.28F)) *
+                       about_x(draw(random, -0.5F, 0.5F)) * glm::scale(glm::mat4(1.0F), vec3(size)),
+                   own, shade_of(own, 0.3F));
+    }
+}
+
 vec3 pebble_colour(std::uint32_t seed) {
     const int i = static_cast<int>(seed);
     const vec3 warm =
@@ -115,11 +151,11 @@ void put_lawn(Assembly& garden) {
         const vec3 root(x, ground_m(x, z), z);
         const vec3 head =
             root + vec3(draw(random, -0.02F, 0.02F), high, draw(random, -0.01F, 0.03F));
-        garden.put(Surface::kClay, rod(root, head, 0.0014F, 4), glm::mat4(1.0F), 80U,
-                   vec3(0.35F, 0.75F, 0.3F));
+        garden.put(Surface::kPebble, rod(root, head, 0.0014F, 4), glm::mat4(1.0F), 80U, kStem);
         garden.put_mapped(Surface::kFlower, card(0.022F, 0.022F, 0.3F, 0.0F, 2),
-                          moved(head + vec3(0.0F, 0.001F, 0.011F)) *
-                              about_y(draw(random, -0.5F, 0.5F)) * about_x(-1.3F));
+                          moved(head + vec3(0.0F, 0.001F, 0.0F)) *
+                              about_y(draw(random, 0.0F, 6.28F)) *
+                              about_x(-draw(random, 1.1F, 1.8F)) * moved(0.0F, -0.011F, 0.0F));
     }
 }
 
@@ -158,6 +194,8 @@ void build_ground(Assembly& garden) {
                1U);
     garden.put(Surface::kGravel, strip(kBedFront, kPathFront - 0.001F, 0.12F), glm::mat4(1.0F), 2U);
     garden.put(Surface::kTurf, strip(kPathFront, kFront, 0.12F), glm::mat4(1.0F), 3U);
+    put_bed_face(garden);
+    put_clods(garden);
     put_pebbles(garden);
     put_edging(garden);
     put_lawn(garden);

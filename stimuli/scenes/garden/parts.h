@@ -47,6 +47,9 @@ void build_climbers(Assembly& garden);   ///< ivy, the trees behind the wall
 void build_border(Assembly& garden);     ///< ferns, shrubs, flowers, grasses
 void build_ornaments(Assembly& garden);  ///< bench, urn, pots, can, spade
 
+/// Tint of flowers' stems, on kPebble.
+inline constexpr glm::vec3 kStem(0.14F, 0.26F, 0.09F);
+
 /// The ground's height at a place.
 [[nodiscard]] float ground_m(float x, float z);
 

@@ -71,17 +71,22 @@ Texel clay(vec2 uv) {
     return texel;
 }
 
-/// Crumbs of earth with chips of bark. Covers 0.8 m.
+/// Crumbs of earth of several sizes in lumps, darker between them, with a little chaff. Covers 0.8
+/// m.
 Texel soil(vec2 uv) {
-    const CellularNoise crumb = cellular(uv * 46.0F, 131, {46, 46});
-    const CellularNoise bark =
-        cellular(uv * vec2(13.0F, 22.0F) + 0.2F * noise(uv * 4.0F), 132, {13, 22});
+    const float damp = noise(uv + 0.13F);
+    const float lumps = noise(uv * 4.0F + 0.3F);
+    const CellularNoise crumb = cellular(uv * 40.0F + 0.6F * noise(uv * 9.0F), 131, {40, 40});
+    const CellularNoise grain = cellular(uv * 104.0F, 132, {104, 104});
     const float own = hash_unit(static_cast<int>(crumb.id & 0xffffU), 0, 0, 2);
-    const float chip = glm::smoothstep(0.30F, 0.22F, bark.nearest);
+    const float fine = hash_unit(static_cast<int>(grain.id & 0xffffU), 0, 0, 2);
+    const float between = glm::smoothstep(0.35F, 0.8F, crumb.nearest);
     Texel texel;
-    texel.albedo = colour<0x42352a>() * (0.7F + 0.5F * own + 0.3F * noise(uv * 3.0F));
-    texel.albedo = glm::mix(texel.albedo, colour<0x7a5c40>() * (0.6F + 0.6F * own), 0.8F * chip);
-    texel.height_m = -0.008F * crumb.nearest + 0.005F * chip;
+    texel.albedo = glm::mix(colour<0x3a2e25>(), colour<0x574637>(),
+                            glm::clamp(0.45F + 0.5F * lumps + 0.35F * (own - 0.5F), 0.0F, 1.0F));
+    texel.albedo *= (0.86F + 0.28F * fine) * (1.0F - 0.45F * between) * (1.0F + 0.18F * damp);
+    if (fine > 0.985F) texel.albedo = colour<0x8a7458>();
+    texel.height_m = -0.005F * crumb.nearest - 0.0015F * grain.nearest + 0.004F * lumps;
     return texel;
 }
 
@@ -207,32 +212,35 @@ Texel fern(vec2 uv) {
     return texel;
 }
 
-/// A sprig: a stem with oval leaves to both sides and one at its end.
+/// A sprig: a stem with three oval leaves to each side and one at its end, apart from each other so
+/// that they do not run together in the coarser levels that a tree's crown is drawn with.
 Texel twig(vec2 uv) {
+    constexpr int kLeaves = 7;
     Texel texel;
-    texel.opacity = edge(0.010F - std::max(std::abs(uv.x - 0.5F), uv.y - 0.85F));
+    texel.opacity = edge(0.008F - std::max(std::abs(uv.x - 0.5F), uv.y - 0.8F));
     float vein = texel.opacity;
     float own = 0.5F;
-    for (int i = 0; i < 11; ++i) {
-        const float side = i == 10 ? 0.0F : (i % 2 == 0 ? 1.0F : -1.0F);
-        const float up = i == 10 ? 0.76F : 0.08F + 0.075F * static_cast<float>(i);
-        const vec2 way = glm::normalize(vec2(side * 1.0F, i == 10 ? 1.0F : 0.75F));
-        const vec2 p = uv - vec2(0.5F, up);
-        const float along = glm::dot(p, way) / 0.23F;
-        const float off = (p.x * way.y - p.y * way.x) / 0.23F;
+    for (int i = 0; i < kLeaves; ++i) {
+        const bool last = i + 1 == kLeaves;
+        const float side = last ? 0.0F : (i % 2 == 0 ? 1.0F : -1.0F);
+        const float turn = last ? 0.0F : 0.9F + 0.22F * (hash_unit(i, 1, 0, 8) - 0.5F);
+        const vec2 way(side * std::sin(turn), std::cos(turn));
+        const vec2 p = uv - vec2(0.5F, last ? 0.70F : 0.05F + 0.115F * static_cast<float>(i));
+        const float length = last ? 0.28F : 0.38F - 0.018F * static_cast<float>(i);
+        const float along = glm::dot(p, way) / length;
+        const float off = (p.x * way.y - p.y * way.x) / length;
         if (along < 0.0F || along > 1.0F) continue;
         const float half =
-            0.36F * std::pow(std::sin(glm::pi<float>() * std::pow(along, 0.8F)), 0.75F);
-        const float inside = half - std::abs(off);
-        const float opacity = glm::clamp(0.5F + 14.0F * inside, 0.0F, 1.0F);
+            0.20F * std::pow(std::sin(glm::pi<float>() * std::pow(along, 0.85F)), 0.7F);
+        const float opacity = glm::clamp(0.5F + 22.0F * (half - std::abs(off)), 0.0F, 1.0F);
         if (opacity > 0.5F) {
-            vein = 1.0F - glm::smoothstep(0.0F, 0.06F, std::abs(off));
+            vein = 1.0F - glm::smoothstep(0.0F, 0.05F, std::abs(off));
             own = hash_unit(i, 0, 0, 8);
         }
         texel.opacity = std::max(texel.opacity, opacity);
     }
     texel.albedo =
-        leaf_green(uv, vein, colour<0x314a1e>(), colour<0x5d7a34>()) * (0.75F + 0.5F * own);
+        leaf_green(uv, 0.7F * vein, colour<0x314a1e>(), colour<0x5d7a34>()) * (0.75F + 0.5F * own);
     texel.height_m = 0.0006F * vein;
     return texel;
 }

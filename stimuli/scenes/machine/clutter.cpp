@@ -239,12 +239,9 @@ void build_clutter(Assembly& hall) {
     put_tool_board(hall);
     put_stores(hall);
     put_oil_can(hall, moved(-0.10F, kBedTop, 0.22F) * about_y(0.5F));
-    put_oil_can(hall, moved(1.5F, 0.009F, 0.95F) * about_y(2.2F));
-    put_bucket(hall, moved(1.95F, 0.009F, 0.78F) * about_y(0.4F), kRed);
-    put_bucket(hall, moved(-2.1F, 0.0F, -1.55F) * about_y(1.4F), kRed);
+    put_bucket(hall, moved(-1.92F, 0.0F, -1.58F) * about_y(1.4F), kRed);
     hall.put(Surface::kSteel, spanner(0.38F),
              moved(-0.28F, kBedTop + 0.001F, 0.27F) * about_y(0.25F), 1070U);
-    hall.put(Surface::kSteel, spanner(0.27F), moved(1.35F, 0.0095F, 1.18F) * about_y(-0.7F), 1071U);
 }
 
 }  // namespace obscura::stimuli::machine

@@ -87,7 +87,7 @@ void put_connecting_rod(Assembly& hall) {
     for (const float y : {-0.075F, 0.075F}) {
         put_bolt(hall, place * moved(length + 0.126F, y, 0.0F) * lie_along_x(), 0.018F, 56U);
     }
-    put_oil_cup(hall, place * moved(length, 0.10F, 0.0F), 0.028F);
+    put_oil_cup(hall, place * moved(length + 0.046F, 0.098F, 0.0F), 0.028F);
 }
 
 void put_crank(Assembly& hall) {
@@ -117,16 +117,17 @@ void put_crank(Assembly& hall) {
 /// A pedestal bearing for a shaft along z.
 void put_pedestal(Assembly& hall, float x, float z, float foot_y) {
     const float high = kAxis - foot_y;
-    const std::array<vec2, 8> body{{{-0.19F, 0.0F},
+    const glm::mat4 place = moved(x, foot_y, z);
+    const std::array<vec2, 6> foot{{{-0.19F, 0.0F},
                                     {0.19F, 0.0F},
                                     {0.19F, 0.032F},
                                     {0.12F, 0.045F},
-                                    {0.105F, high},
-                                    {-0.105F, high},
                                     {-0.12F, 0.045F},
                                     {-0.19F, 0.032F}}};
-    const glm::mat4 place = moved(x, foot_y, z);
-    hall.put(Surface::kEnamel, extrude(body, -0.06F, 0.06F, 0.3F), place, 70U, kGreen);
+    hall.put(Surface::kEnamel, extrude(foot, -0.06F, 0.06F, 0.3F), place, 70U, kGreen);
+    const std::array<vec2, 4> body{
+        {{-0.12F, 0.04F}, {0.12F, 0.04F}, {0.105F, high}, {-0.105F, high}}};
+    hall.put(Surface::kEnamel, extrude(body, -0.058F, 0.058F, 0.3F), place, 70U, kGreen);
     std::vector<vec2> cap{{0.105F, 0.004F}};
     for (int i = 0; i <= 14; ++i) {
         const float a = glm::pi<float>() * static_cast<float>(i) / 14.0F;

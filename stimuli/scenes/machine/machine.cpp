@@ -57,6 +57,12 @@ renderer::Lighting lighting(Validity validity) {
         }
     }
     light.environment = std::move(surroundings);
+    if (validity == Validity::kHigh) {
+        light.lights = {
+            {glm::normalize(vec3(-0.42F, 0.52F, 0.74F)), vec3(1.0F, 0.93F, 0.80F) * 9.0F}};
+        light.normal_mapping = true;
+        light.tone_mapping = renderer::ToneMapping{0.85F, 4.0F};
+    }
     return light;
 }
 
@@ -66,7 +72,7 @@ BuiltinScene make_machine() {
     return {.id = "machine",
             .title = "A stationary engine that drives a generator through gears, in its hall",
             .stands_in_for = "",
-            .levels = {Validity::kLow, Validity::kModerate},
+            .levels = {Validity::kLow, Validity::kModerate, Validity::kHigh},
             .cameras = {"engine", "gears", "cylinder"},
             .build = build,
             .lighting = lighting};

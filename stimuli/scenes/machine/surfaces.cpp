@@ -16,61 +16,81 @@ using glm::vec3;
 
 float noise(vec2 uv) { return shared_noise(uv); }
 
-/// Brushed-on enamel with grime in its hollows and chips down to rust.
+/// Where a coat came off: ragged spots of all sizes in `share` of the cells, crowded here and
+/// absent there. 1 inside.
+float chipped(vec2 uv, int cells, float share, float ragged) {
+    constexpr int kSeed = 57;
+    const CellularNoise spot = cellular(uv * static_cast<float>(cells), kSeed, {cells, cells});
+    const int id = static_cast<int>(spot.id & 0xffffU);
+    const float crowd = glm::smoothstep(-0.1F, 0.35F, noise(uv + 0.21F));
+    if (hash_unit(id, 0, 0, kSeed) > share * 2.0F * crowd) return 0.0F;
+    const float size = 0.03F + 0.42F * std::pow(hash_unit(id, 1, 0, kSeed), 2.5F);
+    return glm::smoothstep(0.03F, -0.03F, spot.nearest - size + 0.22F * ragged);
+}
+
+/// Machine paint with a soft gloss, dusty in large patches and chipped to the primer.
 Texel enamel(vec2 uv) {
     const float broad = noise(uv);
     const float fine = noise(uv * 11.0F + 0.3F);
-    const float runs = noise(uv * vec2(13.0F, 2.0F) + 0.77F);
-    const float grime = glm::smoothstep(-0.15F, 0.5F, broad + 0.35F * runs);
-    const float chip = glm::smoothstep(0.46F, 0.52F, noise(uv * 5.0F + 0.11F) + 0.28F * fine);
+    const float peel = noise(uv * 37.0F);
+    const float dust = glm::smoothstep(0.0F, 0.7F, broad + 0.3F * noise(uv * 3.0F + 0.77F));
+    const float chip = chipped(uv, 11, 0.10F, fine);
     Texel texel;
-    texel.albedo = vec3(0.95F + 0.08F * fine) * (1.0F - 0.38F * grime);
-    texel.albedo = glm::mix(texel.albedo, vec3(0.55F, 0.36F, 0.26F), chip);
-    texel.height_m = 0.0002F * fine + 0.0002F * runs - 0.0006F * chip;
+    texel.albedo = vec3(0.97F + 0.03F * fine) * (1.0F - 0.14F * dust);
+    texel.albedo = glm::mix(texel.albedo, vec3(0.50F, 0.40F, 0.34F), chip);
+    texel.height_m = 0.00012F * fine + 0.00004F * peel - 0.0005F * chip;
+    texel.roughness = 0.30F + 0.05F * peel + 0.30F * dust + 0.3F * chip;
     return texel;
 }
 
+/// Rough from the mould, oiled nearly black, rust only where hands never come.
 Texel cast(vec2 uv) {
     const float broad = noise(uv);
     const float fine = noise(uv * 9.0F + 0.2F);
-    const float grain = noise(uv * 23.0F + 0.6F);
-    const float rust = glm::smoothstep(0.12F, 0.5F, noise(uv * 2.0F + 0.4F) + 0.4F * fine);
+    const float grain = noise(uv * 31.0F + 0.6F);
+    const float rust = glm::smoothstep(0.35F, 0.75F, noise(uv * 2.0F + 0.4F) + 0.3F * fine);
     Texel texel;
-    texel.albedo = glm::mix(colour<0x4a4a4a>(), colour<0x6a4634>(), 0.75F * rust);
-    texel.albedo *= 1.0F + 0.25F * broad + 0.2F * grain;
-    texel.height_m = 0.0006F * fine + 0.0005F * grain;
+    texel.albedo = glm::mix(colour<0x434445>(), colour<0x5c4436>(), 0.45F * rust);
+    texel.albedo *= 1.0F + 0.10F * broad + 0.06F * fine + 0.22F * grain;
+    texel.height_m = 0.0004F * fine + 0.0006F * grain;
+    texel.roughness = 0.58F + 0.10F * grain + 0.2F * rust;
     return texel;
 }
 
+/// Turned or planed: fine lines along u under a film of oil.
 Texel steel(vec2 uv) {
-    const float turned = noise(uv * vec2(1.0F, 31.0F));
+    const float turned = noise(uv * vec2(1.0F, 41.0F));
     const float fine = noise(uv * vec2(2.0F, 61.0F) + 0.5F);
-    const float oil = glm::smoothstep(0.0F, 0.45F, noise(uv * 2.0F + 0.7F));
-    const float spot = glm::smoothstep(0.42F, 0.6F, noise(uv * 6.0F + 0.2F));
+    const float oil = glm::smoothstep(0.0F, 0.7F, noise(uv + 0.7F));
     Texel texel;
-    texel.albedo = colour<0x8f9193>() * (1.0F + 0.16F * turned + 0.12F * fine);
-    texel.albedo = glm::mix(texel.albedo, colour<0x5e5044>(), 0.55F * oil);
-    texel.albedo = glm::mix(texel.albedo, colour<0x7a4e34>(), 0.7F * spot);
-    texel.height_m = 0.00006F * turned + 0.00005F * fine;
+    texel.albedo = colour<0x84888c>() * (1.0F + 0.10F * turned + 0.09F * fine);
+    texel.albedo = glm::mix(texel.albedo, colour<0x62605c>(), 0.30F * oil);
+    texel.height_m = 0.00003F * turned + 0.00003F * fine;
+    texel.roughness = 0.26F + 0.06F * turned + 0.10F * oil;
     return texel;
 }
 
+/// Polished now and then: clear in the middle of a face, brown in patches with soft borders.
 Texel brass(vec2 uv) {
-    const float tarnish = glm::smoothstep(-0.1F, 0.5F, noise(uv));
+    const float tarnish = glm::smoothstep(0.05F, 0.8F, noise(uv) + 0.2F * noise(uv * 5.0F));
+    const float wiped = noise(uv * vec2(3.0F, 41.0F));
     Texel texel;
-    texel.albedo = glm::mix(colour<0xc9a356>(), colour<0x6f5a34>(), tarnish) *
-                   (1.0F + 0.15F * noise(uv * 8.0F));
-    texel.height_m = 0.0001F * noise(uv * 8.0F);
+    texel.albedo = glm::mix(colour<0xa88748>(), colour<0x7d6536>(), tarnish) *
+                   (1.0F + 0.07F * wiped + 0.04F * noise(uv * 8.0F));
+    texel.height_m = 0.00003F * wiped;
+    texel.roughness = 0.24F + 0.05F * wiped + 0.22F * tarnish;
     return texel;
 }
 
 Texel copper(vec2 uv) {
-    const float tarnish = glm::smoothstep(-0.3F, 0.5F, noise(uv));
-    const float verdigris = glm::smoothstep(0.3F, 0.5F, noise(uv * 3.0F + 0.4F));
+    const float tarnish = glm::smoothstep(-0.2F, 0.8F, noise(uv) + 0.2F * noise(uv * 7.0F));
+    const float verdigris = glm::smoothstep(0.52F, 0.66F, noise(uv * 3.0F + 0.4F));
     Texel texel;
-    texel.albedo = glm::mix(colour<0xc07a55>(), colour<0x6e432f>(), tarnish);
-    texel.albedo = glm::mix(texel.albedo, colour<0x6f9a86>(), 0.6F * verdigris);
-    texel.height_m = 0.0001F * noise(uv * 8.0F);
+    texel.albedo = glm::mix(colour<0x9c6248>(), colour<0x6b4435>(), tarnish) *
+                   (1.0F + 0.05F * noise(uv * 23.0F));
+    texel.albedo = glm::mix(texel.albedo, colour<0x64806f>(), 0.45F * verdigris);
+    texel.height_m = 0.00004F * noise(uv * 23.0F);
+    texel.roughness = 0.32F + 0.25F * tarnish + 0.2F * verdigris;
     return texel;
 }
 
@@ -86,14 +106,17 @@ Texel concrete(vec2 uv) {
     const float broad = noise(uv);
     const float medium = noise(uv * 4.0F + 0.3F);
     const float fine = noise(uv * 29.0F);
-    const float stain = glm::smoothstep(0.05F, 0.65F, noise(uv * 3.0F + 0.63F) + 0.2F * medium);
+    const float stain = glm::smoothstep(0.25F, 0.75F, noise(uv * 3.0F + 0.63F) + 0.2F * medium);
+    const CellularNoise stone = cellular(uv * 90.0F, 72, {90, 90});
+    const float pebble = 0.5F - hash_unit(static_cast<int>(stone.id & 0xffffU), 0, 0, 72);
     const CellularNoise crack = cellular(uv * 5.0F + 0.12F * medium, 71, {5, 5});
     const float line = (1.0F - glm::smoothstep(0.0F, 0.006F, crack.second - crack.nearest)) *
                        glm::smoothstep(0.0F, 0.3F, broad);
     Texel texel;
     texel.albedo = glm::mix(colour<0x8b867c>(), colour<0xaaa497>(),
                             glm::clamp(0.5F + 0.8F * broad, 0.0F, 1.0F));
-    texel.albedo *= (1.0F + 0.12F * medium + 0.14F * fine) * (1.0F - 0.45F * stain);
+    texel.albedo *=
+        (1.0F + 0.06F * medium + 0.10F * fine + 0.10F * pebble) * (1.0F - 0.30F * stain);
     texel.albedo *= 1.0F - 0.5F * line;
     texel.height_m = 0.0012F * medium + 0.0005F * fine - 0.002F * line;
     return texel;
@@ -112,7 +135,7 @@ Texel brick(vec2 uv) {
         std::min(std::min(in.x, 1.0F - in.x) * 0.256F, std::min(in.y, 1.0F - in.y) * 0.08F) +
         0.0025F * rough;
     const float inside = glm::smoothstep(0.004F, 0.009F, edge_m);
-    const float flaked = glm::smoothstep(0.36F, 0.41F, noise(uv * 3.0F + 0.9F) + 0.25F * rough);
+    const float flaked = chipped(uv, 14, 0.16F, rough);
     const float soot = noise(uv * 2.0F + 0.33F);
     const float own = hash_unit(column, row, 0, 12);
     vec3 clay = glm::mix(colour<0x8a4f3b>(), colour<0xa8705a>(), own);
@@ -192,11 +215,11 @@ Texel dark(vec2) {
 }
 
 constexpr std::array<Finish, 13> kFinishes{{
-    {"enamel", enamel, 768, 768, 0.9F, 0.16F, 30.0F},
-    {"cast-iron", cast, 512, 512, 0.6F, 0.10F, 14.0F},
-    {"steel", steel, 512, 512, 0.5F, 0.45F, 48.0F},
-    {"brass", brass, 256, 256, 0.3F, 0.45F, 48.0F},
-    {"copper", copper, 256, 256, 0.4F, 0.35F, 40.0F},
+    {"enamel", enamel, 768, 768, 0.9F, 0.10F, kBaked},
+    {"cast-iron", cast, 512, 512, 0.6F, 0.10F, kBaked},
+    {"steel", steel, 512, 512, 0.5F, 0.55F, kBaked},
+    {"brass", brass, 256, 256, 0.3F, 0.55F, kBaked},
+    {"copper", copper, 256, 256, 0.4F, 0.45F, kBaked},
     {"rubber", rubber, 128, 128, 0.2F, 0.06F, 12.0F},
     {"concrete", concrete, 1024, 1024, 4.0F, 0.05F, 14.0F},
     {"brick", brick, 1024, 1024, 2.56F, 0.03F, 10.0F},

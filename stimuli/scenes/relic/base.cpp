@@ -89,6 +89,7 @@ void add_base(Sculpture& sculpture) {
                        return 0.045F * (ridged(q * 8.0F, 5, 2) - 0.7F);
                    },
                    0.035F});
+    rock.keep(half_space({0.0F, 0.03F, 0.0F}, {0.0F, -1.0F, 0.0F}));  // within the plinth
     sculpture.add(as_shape(rock), {0.006F, kSandstone, true});
 }
 

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "stimuli/scenes/list.h"
 #include "stimuli/scenes/relic/dragon.h"
 #include "stimuli/scenes/support/mesh_builder.h"
 #include "stimuli/scenes/support/noise.h"
+#include "stimuli/scenes/support/texture_maker.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -39,25 +42,25 @@ void leave_out_underside(renderer::Mesh& mesh) {
     mesh.indices = std::move(kept);
 }
 
-/// What the piece stands on: a disc that ends before the cameras' far planes.
-renderer::Mesh ground() {
-    constexpr float kRadius_m = 4.5F;
+/// What the piece stands on: a round of slate, whole in the views of the whole piece. Were it
+/// larger, it would meet the border of the image, beyond which a technique finds nothing to sample:
+/// a band.
+renderer::Mesh stand() {
+    constexpr float kRadius_m = 0.548F;
+    const std::array<glm::vec2, 8> profile{{{0.0F, -0.036F},
+                                            {kRadius_m - 0.006F, -0.036F},
+                                            {kRadius_m, -0.030F},
+                                            {kRadius_m, -0.010F},
+                                            {kRadius_m - 0.004F, -0.003F},
+                                            {kRadius_m - 0.011F, 0.0F},
+                                            {0.30F, 0.0F},
+                                            {0.0F, 0.0F}}};
     renderer::Mesh mesh;
-    mesh.name = "ground";
+    mesh.name = "stand";
     mesh.material = 1;
-    PatchOptions options;
-    options.columns = 96;
-    options.rows = 4;
     Placement placement;
-    placement.tint = glm::vec3(0.25F, 0.245F, 0.235F);
-    append(mesh,
-           patch(options,
-                 [](float u, float v) {
-                     const float angle = 2.0F * std::numbers::pi_v<float> * u;
-                     const float away_m = kRadius_m * (1.0F - v);
-                     return glm::vec3(away_m * std::cos(angle), 0.0F, -away_m * std::sin(angle));
-                 }),
-           placement);
+    placement.tint = glm::vec3(0.085F, 0.088F, 0.092F);
+    append(mesh, revolve(profile, 160), placement);
     return mesh;
 }
 
@@ -71,7 +74,7 @@ renderer::Scene build() {
     scene.materials.push_back(
         {.name = "stone", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
     scene.materials.push_back(
-        {.name = "ground", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
+        {.name = "slate", .albedo = glm::vec3(1.0F), .specular_intensity = 0.0F});
     const Curve spine = relic::spine();
     Sculpture body;
     relic::add_body(body, spine);
@@ -82,15 +85,18 @@ renderer::Scene build() {
     Sculpture head;
     relic::add_head(head);
     relic::add_mane(head);
-    for (auto& [name, sculpture, cell_m] :
-         {std::tuple{"body", &body, kBodyCell_m}, std::tuple{"base", &base, kBaseCell_m},
-          std::tuple{"head", &head, kHeadCell_m}}) {
+    const std::array pieces{std::tuple{"body", &body, kBodyCell_m},
+                            std::tuple{"base", &base, kBaseCell_m},
+                            std::tuple{"head", &head, kHeadCell_m}};
+    scene.meshes.resize(pieces.size());
+    for_each_row(static_cast<int>(pieces.size()), [&](int i) {
+        const auto& [name, sculpture, cell_m] = pieces[static_cast<std::size_t>(i)];
         renderer::Mesh mesh = polygonise(*sculpture, cell_m, veined);
         mesh.name = name;
         leave_out_underside(mesh);
-        scene.meshes.push_back(std::move(mesh));
-    }
-    scene.meshes.push_back(ground());
+        scene.meshes[static_cast<std::size_t>(i)] = std::move(mesh);
+    });
+    scene.meshes.push_back(stand());
     // The first shows all of the piece, 1.15 m high, near enough for its scales to be seen one by
     // one; the others the same from farther, and its head.
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
@@ -103,8 +109,8 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.86F, 1.12F, 1.33F}, {0.02F, 0.55F, 0.02F}, 0.83F),
-                     camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.57F, 0.0F}, 0.50F),
+    scene.cameras = {camera("front", {-0.88F, 1.11F, 1.38F}, {0.02F, 0.475F, 0.02F}, 0.91F),
+                     camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.55F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;
 }

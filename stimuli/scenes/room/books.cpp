@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -50,10 +51,13 @@ void put_stack(Assembly& study, base::Random& random, int count, float largest_m
     }
 }
 
-/// Something between the books.
-void put_ornament(Assembly& study, base::Random& random, const glm::mat4& place, int kind) {
+/// Something between the books: of each kind the `turn`-th, 0 first.
+void put_ornament(Assembly& study, base::Random& random, const glm::mat4& place, int kind,
+                  int turn) {
+    constexpr std::array<vec3, 3> glaze{
+        {{0.16F, 0.28F, 0.34F}, {0.46F, 0.40F, 0.30F}, {0.34F, 0.12F, 0.07F}}};
     if (kind == 0) {
-        const std::array<vec2, 10> vase{{{0.0F, 0.0F},
+        const std::array<vec2, 13> vase{{{0.0F, 0.0F},
                                          {0.03F, 0.0F},
                                          {0.032F, 0.01F},
                                          {0.05F, 0.05F},
@@ -62,8 +66,14 @@ void put_ornament(Assembly& study, base::Random& random, const glm::mat4& place,
                                          {0.022F, 0.16F},
                                          {0.020F, 0.185F},
                                          {0.030F, 0.20F},
-                                         {0.024F, 0.20F}}};
-        study.put(Surface::kCeramic, revolve(vase, 32), place, 400U, vec3(0.16F, 0.28F, 0.34F));
+                                         {0.024F, 0.20F},
+                                         {0.016F, 0.185F},
+                                         {0.018F, 0.16F},
+                                         {0.0F, 0.14F}}};
+        study.put(Surface::kCeramic, revolve(vase, 32),
+                  place * glm::scale(glm::mat4(1.0F),
+                                     vec3(1.0F, 0.85F + 0.12F * static_cast<float>(turn), 1.0F)),
+                  400U, glaze[static_cast<std::size_t>(turn) % glaze.size()]);
     } else if (kind == 1) {
         study.put(Surface::kWood, bevelled_box({0.12F, 0.08F, 0.16F}, 0.006F),
                   place * moved(0.0F, 0.04F, 0.0F), 401U);
@@ -90,16 +100,22 @@ void put_ornament(Assembly& study, base::Random& random, const glm::mat4& place,
                   place * moved(0.0F, 0.145F, 0.0F) * lie_along_z(), 405U,
                   vec3(0.9F, 0.72F, 0.45F));
         const std::array<vec2, 5> foot{
-            {{0.0F, 0.0F}, {0.055F, 0.0F}, {0.05F, 0.012F}, {0.012F, 0.025F}, {0.010F, 0.062F}}};
+            {{0.0F, 0.0F}, {0.055F, 0.0F}, {0.05F, 0.012F}, {0.012F, 0.025F}, {0.010F, 0.074F}}};
         study.put(Surface::kWood, revolve(foot, 28), place, 406U);
+        study.put(Surface::kMetal, rod({0.0F, -0.084F, 0.0F}, {0.0F, 0.084F, 0.0F}, 0.003F),
+                  place * moved(0.0F, 0.145F, 0.0F) * about_z(0.4F), 407U,
+                  vec3(0.9F, 0.72F, 0.45F));
     } else {
         put_stack(study, random, 4, 0.22F, place * about_y(glm::half_pi<float>() * 0.1F));
     }
 }
 
-/// Books side by side from x0 to x1 with a leaning one here and there and some room for ornaments.
-void fill_shelf(Assembly& study, base::Random& random, float x0, float x1, float y,
-                float tallest_m) {
+/// Books side by side from x0 to x1 with a leaning one here and there and some room for ornaments;
+/// `ornaments` counts those that the case has.
+void fill_shelf(Assembly& study, base::Random& random, float x0, float x1, float y, float tallest_m,
+                int& ornaments) {
+    // One globe, and nothing twice in a row.
+    constexpr std::array<int, 9> kKinds{0, 3, 1, 2, 3, 0, 1, 3, 0};
     const float front = kBack + kShelfDepth;
     float x = x0 + 0.004F;
     int since = 0;
@@ -127,8 +143,10 @@ void fill_shelf(Assembly& study, base::Random& random, float x0, float x1, float
             put_book(
                 study, book,
                 moved(foot, y, 0.0F) * about_z(lean) * moved(book.thick_m, at.y, at.z) * upright());
-            put_ornament(study, random, moved(right + 0.095F, y, front - 0.14F),
-                         static_cast<int>(random.below(4)));
+            const auto next = static_cast<std::size_t>(ornaments++) % kKinds.size();
+            const auto before = std::count(kKinds.data(), kKinds.data() + next, kKinds[next]);
+            put_ornament(study, random, moved(right + 0.095F, y, front - 0.14F), kKinds[next],
+                         static_cast<int>(before));
             x = right + 0.20F;
             since = 0;
             continue;
@@ -202,11 +220,14 @@ void put_book(Assembly& study, const Book& book, const glm::mat4& place) {
 
 void build_books(Assembly& study) {
     base::Random random(20100501);
+    int ornaments = 0;
     for (std::size_t i = 0; i < kShelf_m.size(); ++i) {
         const float above = i + 1 < kShelf_m.size() ? kShelf_m[i + 1] : 2.15F;
         const float tallest = above - kShelf_m[i] - 0.045F;
-        fill_shelf(study, random, kShelfLeft, kShelfMiddle - 0.0125F, kShelf_m[i], tallest);
-        fill_shelf(study, random, kShelfMiddle + 0.0125F, kShelfRight, kShelf_m[i], tallest);
+        fill_shelf(study, random, kShelfLeft, kShelfMiddle - 0.0125F, kShelf_m[i], tallest,
+                   ornaments);
+        fill_shelf(study, random, kShelfMiddle + 0.0125F, kShelfRight, kShelf_m[i], tallest,
+                   ornaments);
     }
     put_stack(study, random, 6, 0.28F, moved(-0.42F, kDeskTop, -1.74F) * about_y(0.3F));
     put_stack(study, random, 9, 0.30F, moved(0.22F, 0.0F, -1.62F) * about_y(-0.4F));

@@ -109,7 +109,7 @@ void put_basket(Assembly& study, const glm::mat4& place) {
 
 /// Frames with mounts over the desk.
 void put_pictures(Assembly& study) {
-    const auto hang = [&](const glm::mat4& at, float width, float high, float left, float tilt,
+    const auto hang = [&](const glm::mat4& at, float width, float high, float subject, float tilt,
                           const vec3& tint) {
         const glm::mat4 place = at * about_z(tilt) * about_x(0.025F);
         const float rim = 0.028F;
@@ -126,16 +126,16 @@ void put_pictures(Assembly& study) {
         Mesh canvas = rectangle({-0.5F * (width - 0.13F), -0.5F * (high - 0.13F), -0.002F},
                                 {width - 0.13F, 0.0F, 0.0F}, {0.0F, high - 0.13F, 0.0F}, 1.0F);
         for (renderer::Vertex& vertex : canvas.vertices) {
-            vertex.uv = {left + 0.5F * (vertex.position_m.x / (width - 0.13F) + 0.5F),
+            vertex.uv = {(subject + vertex.position_m.x / (width - 0.13F) + 0.5F) / 3.0F,
                          0.5F - vertex.position_m.y / (high - 0.13F)};
         }
         make_tangents(canvas);
         study.put_mapped(Surface::kPicture, canvas, place);
     };
     hang(moved(kRight - 0.022F, 1.62F, -0.75F) * about_y(-glm::half_pi<float>()), 0.62F, 0.48F,
-         0.0F, 0.006F, vec3(0.7F, 0.6F, 0.4F));
+         2.0F, 0.006F, vec3(0.7F, 0.6F, 0.4F));
     hang(moved(-1.32F, 1.66F, kBack + 0.022F), 0.52F, 0.42F, 0.0F, 0.008F, vec3(0.45F));
-    hang(moved(-0.62F, 1.70F, kBack + 0.022F), 0.38F, 0.46F, 0.5F, -0.012F, vec3(1.0F, 0.8F, 0.5F));
+    hang(moved(-0.62F, 1.70F, kBack + 0.022F), 0.38F, 0.46F, 1.0F, -0.012F, vec3(1.0F, 0.8F, 0.5F));
 }
 
 void put_clock(Assembly& study) {

@@ -184,10 +184,12 @@ void put_mug(Assembly& study, const glm::mat4& place, const vec3& tint) {
 /// Loose sheets, some printed, squared up by nobody; the top ones curl.
 void put_papers(Assembly& study, const glm::mat4& place, int sheets, std::uint64_t seed) {
     base::Random random(seed);
+    const float corner = draw(random, -0.6F, 0.6F);
     for (int i = 0; i < sheets; ++i) {
         const bool top = i + 3 >= sheets;
-        const float lift = top ? draw(random, 0.004F, 0.016F) : 0.0006F;
-        const float corner = draw(random, -1.0F, 1.0F);
+        // Those below lie flat; each of the top ones curls higher than the one under it.
+        const float lift =
+            top ? draw(random, 0.002F, 0.005F) + 0.004F * static_cast<float>(i + 3 - sheets) : 0.0F;
         PatchOptions options;
         options.columns = top ? 10 : 2;
         options.rows = top ? 14 : 2;
@@ -256,7 +258,7 @@ void build_desk_things(Assembly& study) {
     put_mug(study, moved(-0.90F, 0.50F, 1.38F), vec3(0.50F, 0.16F, 0.10F));
     put_papers(study, moved(-1.55F, kDeskTop, -1.40F) * about_y(0.35F), 16, 31);
     put_papers(study, moved(-0.36F, kDeskTop, -1.38F) * about_y(-0.20F), 30, 32);
-    put_papers(study, moved(0.30F, 0.002F, -0.62F) * about_y(0.8F), 3, 33);
+    put_papers(study, moved(0.62F, 0.0F, -1.02F) * about_y(0.8F), 3, 33);
     Book notes;
     notes.width_m = 0.15F;
     notes.height_m = 0.21F;

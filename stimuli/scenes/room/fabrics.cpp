@@ -157,15 +157,17 @@ void put_throw(Assembly& study, const glm::mat4& place) {
     options.rows = 40;
     options.size_m = {1.0F, -0.5F};
     Mesh mesh = patch(options, [](float u, float v) {
-        // Over the arm: outside down, across its top, inside down.
-        const float s = (u - 0.42F) * 1.15F;
-        const float top = 0.115F;
-        const float ripple =
-            0.010F * std::sin(26.0F * v + 3.0F * s) * glm::smoothstep(0.08F, 0.4F, std::abs(s));
+        // Over the arm, which swells by 2 cm: inside down to the seat, across its top, outside
+        // down.
+        const float s = (u - 0.27F) * 0.97F;
+        const float top = 0.118F;
+        const float ripple = 0.009F * (1.0F + std::sin(26.0F * v + 3.0F * s)) *
+                             glm::smoothstep(0.08F, 0.4F, std::abs(s));
         const float z = (0.5F - v) * 0.40F + 0.02F * std::sin(7.0F * s);
-        if (std::abs(s) < top) return vec3(s, 0.672F + 0.006F * std::cos(13.0F * s), z);
+        const float round = 0.021F * (1.0F - (s / top) * (s / top));
+        if (std::abs(s) < top) return vec3(s, 0.668F + round, z);
         const float side = s < 0.0F ? -1.0F : 1.0F;
-        return vec3(side * (top + 0.012F + ripple), 0.672F - (std::abs(s) - top), z);
+        return vec3(side * (top + 0.012F + ripple), 0.668F - (std::abs(s) - top), z);
     });
     study.put(Surface::kBinding, mesh, place, 150U, vec3(0.32F, 0.40F, 0.42F));
 }
@@ -179,14 +181,15 @@ Mesh cushion(const vec3& size_m, float bulge_m) {
     options.closed_u = true;
     options.size_m = {2.0F * (size_m.x + size_m.z), size_m.y};
     const auto power = [](float value, float exponent) {
+        // In single precision the sine of a half or a whole turn is not quite 0, which the power
+        // makes a hundredth: the seam would lie over itself.
+        if (std::abs(value) < 1e-6F) return 0.0F;
         return std::copysign(std::pow(std::abs(value), exponent), value);
     };
     Mesh mesh = patch(options, [&](float u, float v) {
         const float a = glm::two_pi<float>() * u;
         const float b = glm::pi<float>() * (v - 0.5F);
         constexpr float kSquare = 0.28F;
-        // In single precision the cosine of a quarter turn is a little below zero, which the power
-        // makes a hundredth: the poles would be inside out.
         const float flat = power(std::max(std::cos(b), 0.0F), kSquare);
         vec3 p(power(std::sin(a), kSquare) * flat, power(std::sin(b), kSquare),
                power(std::cos(a), kSquare) * flat);

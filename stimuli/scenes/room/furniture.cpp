@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
 #include "stimuli/scenes/room/parts.h"
 
@@ -26,6 +27,13 @@ void put_board(Assembly& study, const vec3& size, const glm::mat4& place, std::u
         own = {size.x, size.z, size.y};
     }
     study.put(Surface::kWood, bevelled_box(own, bevel), place * turn, seed, shade_of(seed, 0.18F));
+}
+
+/// A bar as sweep() and rod() give it, with the grain along it instead of around.
+Mesh along_grain(Mesh bar) {
+    for (renderer::Vertex& vertex : bar.vertices) std::swap(vertex.uv.x, vertex.uv.y);
+    make_tangents(bar);
+    return bar;
 }
 
 void put_knob(Assembly& study, const glm::mat4& place) {
@@ -80,7 +88,8 @@ void put_desk(Assembly& study) {
     const glm::mat4 chest = moved(kTo - 0.34F, 0.0F, z + 0.016F);
     for (const float side : {-0.2F, 0.2F})
         put_board(study, {0.018F, 0.58F, 0.62F}, chest * moved(side, 0.35F, 0.0F), 220U);
-    put_board(study, {0.42F, 0.018F, 0.62F}, chest * moved(0.0F, 0.065F, 0.0F), 221U);
+    put_board(study, {0.39F, 0.018F, 0.614F}, chest * moved(0.0F, 0.069F, 0.0F), 221U);
+    put_board(study, {0.39F, 0.575F, 0.010F}, chest * moved(0.0F, 0.35F, -0.30F), 228U);
     for (int i = 0; i < 3; ++i) {
         const float y = 0.165F + 0.19F * static_cast<float>(i);
         const float out = i == 1 ? 0.07F : 0.0F;  // one is not quite shut
@@ -88,8 +97,17 @@ void put_desk(Assembly& study) {
                   222U + static_cast<std::uint32_t>(i), 0.005F);
         put_board(study, {0.30F, 0.11F, 0.008F}, chest * moved(0.0F, y, 0.327F + out), 226U,
                   0.004F);
-        for (const float side : {-0.18F, 0.18F})
-            put_board(study, {0.012F, 0.12F, 0.5F}, chest * moved(side, y, 0.05F + out), 227U);
+        // Its box, on runners that the chest's sides carry.
+        for (const float side : {-1.0F, 1.0F}) {
+            put_board(study, {0.012F, 0.12F, 0.52F}, chest * moved(side * 0.18F, y, 0.05F + out),
+                      227U);
+            put_board(study, {0.016F, 0.012F, 0.56F},
+                      chest * moved(side * 0.185F, y - 0.066F, -0.01F), 229U);
+        }
+        put_board(study, {0.352F, 0.007F, 0.51F}, chest * moved(0.0F, y - 0.05F, 0.05F + out),
+                  230U);
+        put_board(study, {0.352F, 0.11F, 0.012F}, chest * moved(0.0F, y + 0.004F, -0.20F + out),
+                  231U);
         put_knob(study, chest * moved(0.0F, y, 0.330F + out));
     }
 }
@@ -190,8 +208,8 @@ void put_chair(Assembly& study, const glm::mat4& place) {
         const float x = -0.165F + 0.055F * static_cast<float>(i);
         const float bow = 0.06F * (x / 0.17F) * (x / 0.17F);
         study.put(Surface::kWood,
-                  rod({0.9F * x, 0.46F, -0.175F + 0.6F * bow}, {1.12F * x, 0.88F, -0.275F + bow},
-                      0.0075F, 10),
+                  along_grain(rod({0.9F * x, 0.46F, -0.175F + 0.6F * bow},
+                                  {1.12F * x, 0.88F, -0.275F + bow}, 0.0075F, 10)),
                   place, 302U);
     }
     std::vector<vec3> rail;
@@ -208,7 +226,8 @@ void put_chair(Assembly& study, const glm::mat4& place) {
                                        {-0.010F, 0.03F},
                                        {-0.012F, 0.0F},
                                        {-0.010F, -0.03F}}};
-    study.put(Surface::kWood, sweep(section, frames_along(rail, {0.0F, 1.0F, 0.0F})), place, 303U);
+    study.put(Surface::kWood, along_grain(sweep(section, frames_along(rail, {0.0F, 1.0F, 0.0F}))),
+              place, 303U);
 }
 
 /// Columns between two headers, on feet, with a valve.
@@ -274,7 +293,8 @@ void build_furniture(Assembly& study) {
                       48),
               table, 330U);
     for (const glm::mat4& spot : around(3, 0.15F)) {
-        study.put(Surface::kWood, rod({0.0F, 0.0F, 0.05F}, {0.0F, 0.465F, -0.03F}, 0.014F, 14),
+        study.put(Surface::kWood,
+                  along_grain(rod({0.0F, 0.0F, 0.05F}, {0.0F, 0.465F, -0.03F}, 0.014F, 14)),
                   table * spot, 331U);
     }
 }

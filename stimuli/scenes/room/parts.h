@@ -40,7 +40,7 @@ enum class Surface {
     kCeramic,
     kLeaf,  ///< one leaf, cut out, mapped once
     kSoil,
-    kPicture,  ///< two framed pictures side by side
+    kPicture,  ///< three pictures side by side
     kBulb,
 };
 [[nodiscard]] std::span<const Finish> finishes();

@@ -78,7 +78,7 @@ void put_window(Assembly& study) {
                 {x + 0.075F, middle_y + edge * (0.5F * high - 0.08F), leaf_z}, 23U);
         }
         bar({0.03F, 0.024F, leaf}, {x + 0.075F, middle_y + 0.12F, leaf_z}, 24U);
-        bar({0.03F, high - 0.1F, 0.024F}, {x + 0.075F, middle_y, leaf_z}, 25U);
+        bar({0.026F, high - 0.1F, 0.024F}, {x + 0.075F, middle_y, leaf_z}, 25U);
     }
     bar({0.034F, 0.036F, width + 0.22F}, {kLeft + 0.07F, kSill - 0.02F, middle_z}, 26U);
     bar({kReveal - 0.05F, 0.034F, width - 0.002F}, {kLeft - 0.035F, kSill - 0.012F, middle_z}, 27U);

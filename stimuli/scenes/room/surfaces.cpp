@@ -40,8 +40,8 @@ Texel boards(vec2 uv) {
                                   std::min(in_board, 1.0F - in_board) * 1.6F);
     const float bend = noise(uv + vec2(own, 0.0F));
     const vec2 place(uv.x + own, uv.y + 0.004F * bend);
-    const float grain = fbm(place * vec2(6.0F, 150.0F), 83, 3, {6, 150});
-    const float figure = noise(place * vec2(2.0F, 9.0F) + own);
+    const float grain = fbm(place * vec2(8.0F, 280.0F), 83, 2, {8, 280});
+    const float figure = noise(place * vec2(2.0F, 19.0F) + own);
     const float gap = 1.0F - glm::smoothstep(0.0006F, 0.0022F, edge_m);
     const float worn = glm::smoothstep(-0.2F, 0.4F, noise(uv + 0.37F));
     Texel texel;
@@ -55,7 +55,7 @@ Texel boards(vec2 uv) {
     return texel;
 }
 
-/// Oiled walnut, grain along v. Covers 1 m.
+/// Oiled walnut, grain along v. Covers 0.4 m x 1.2 m.
 Texel wood(vec2 uv) {
     const float bend = noise(uv);
     const float figure = noise(vec2(uv.x * 7.0F + 0.2F * bend, uv.y) + 0.4F);
@@ -64,7 +64,7 @@ Texel wood(vec2 uv) {
     texel.albedo = glm::mix(colour<0x4a2f1e>(), colour<0x7d5636>(),
                             glm::clamp(0.5F + 0.45F * grain + 0.8F * figure, 0.0F, 1.0F));
     texel.albedo *= 1.0F + 0.15F * bend;
-    texel.height_m = 0.00016F * grain;
+    texel.height_m = 0.00006F * grain;
     texel.roughness = 0.49F + 0.08F * grain + 0.10F * figure;
     return texel;
 }
@@ -229,18 +229,31 @@ Texel soil(vec2 uv) {
     return texel;
 }
 
-/// Left half: hills under a sky. Right half: a still life of two pears.
+/// Side by side: hills under a sky, a still life of two pears, a sail at dusk.
 Texel picture(vec2 uv) {
-    const bool left = uv.x < 0.5F;
-    const vec2 p(glm::fract(uv.x * 2.0F), uv.y);
-    const float stroke = noise(uv * vec2(14.0F, 9.0F));
+    const int subject = static_cast<int>(uv.x * 3.0F);
+    const vec2 p(glm::fract(uv.x * 3.0F), uv.y);
+    const float stroke = noise(uv * vec2(21.0F, 9.0F));
     Texel texel;
-    if (left) {
+    if (subject == 0) {
         const float far = 0.48F + 0.07F * std::sin(6.0F * p.x) + 0.03F * std::sin(17.0F * p.x);
         const float near = 0.66F + 0.09F * std::sin(4.0F * p.x + 2.0F);
         texel.albedo = glm::mix(colour<0x8fb0c4>(), colour<0xe0cfae>(), p.y * 1.9F);
         if (p.y > far) texel.albedo = colour<0x6f8797>();
         if (p.y > near) texel.albedo = glm::mix(colour<0x5e7440>(), colour<0x39482c>(), p.y);
+    } else if (subject == 2) {
+        const float wave = noise(vec2(3.0F * uv.x, 25.0F * uv.y));
+        texel.albedo = glm::mix(colour<0x4d5f7a>(), colour<0xd9a06a>(), 1.5F * p.y);
+        if (glm::length(vec2(1.3F, 1.0F) * (p - vec2(0.68F, 0.50F))) < 0.07F)
+            texel.albedo = colour<0xe8c98a>();
+        if (p.y > 0.62F)
+            texel.albedo = glm::mix(colour<0x8d7a6c>(), colour<0x2c3d4e>(), 3.2F * (p.y - 0.62F)) *
+                           (1.0F + 0.35F * wave);
+        const float sail = p.y - 0.34F;
+        if (sail > 0.0F && p.y < 0.66F && p.x < 0.40F && p.x > 0.40F - 0.62F * sail)
+            texel.albedo = colour<0xcbb89a>();
+        if (p.y >= 0.67F && p.y < 0.71F && std::abs(p.x - 0.36F) < 0.15F - 1.2F * (p.y - 0.67F))
+            texel.albedo = colour<0x3b2b22>();
     } else {
         texel.albedo = glm::mix(colour<0x4b4238>(), colour<0x7b6a55>(), p.x);
         if (p.y > 0.68F) texel.albedo = colour<0x8d7354>();
@@ -267,7 +280,7 @@ Texel bulb(vec2) {
 constexpr std::array<Finish, 17> kFinishes{{
     {"wall", wall, 768, 768, 3.0F, 0.02F, 10.0F},
     {"floor-boards", boards, 1024, 512, 3.2F, 0.16F, kBaked},
-    {"wood", wood, 512, 512, 1.0F, 0.12F, kBaked},
+    {"wood", wood, 512, 1536, 0.4F, 0.12F, kBaked},
     {"lacquer", lacquer, 256, 256, 0.8F, 0.20F, kBaked},
     {"paper", paper, 256, 256, 0.12F, 0.01F, 8.0F, true},
     {"print", print, 384, 512, 1.0F, 0.02F, 8.0F, true},
@@ -280,7 +293,7 @@ constexpr std::array<Finish, 17> kFinishes{{
     {"ceramic", ceramic, 128, 128, 0.2F, 0.35F, 70.0F},
     {"leaf", leaf, 256, 256, 1.0F, 0.15F, 30.0F, true, true},
     {"soil", soil, 128, 128, 0.3F, 0.0F, 8.0F},
-    {"picture", picture, 512, 256, 1.0F, 0.06F, 20.0F},
+    {"picture", picture, 768, 256, 1.0F, 0.06F, 20.0F},
     {"bulb", bulb, 8, 8, 1.0F, 0.0F, 8.0F, false, false, vec3(6.0F, 4.4F, 2.6F)},
 }};
 

@@ -184,6 +184,16 @@ float Sculpture::distance_below(const glm::vec3& point_m, float limit_m,
 }
 
 glm::vec3 Sculpture::tint(const glm::vec3& point_m, std::span<const Part> parts) const {
+    // Where all strokes are of one colour nothing needs to be measured: most of a cloth is.
+    const StrokeStyle* only = nullptr;
+    bool one = true;
+    for (const Part& part : parts) {
+        const StrokeStyle& style = strokes_[part.stroke].style;
+        if (!style.tints) continue;
+        one = one && (only == nullptr || only->tint == style.tint);
+        only = &style;
+    }
+    if (one && only != nullptr && strokes_[parts.front().stroke].style.tints) return only->tint;
     float result = kFar;
     glm::vec3 colour(1.0F);
     for (std::size_t i = 0; i < parts.size();) {
@@ -229,16 +239,27 @@ std::vector<Sculpture::Part> Sculpture::near(const glm::vec3& point_m, float rad
     std::vector<Part> result;
     const float reach = radius_m + 2.0F * displacement_.high_m;
     bool solid = false;
-    for (const Part& part : parts) {
-        const Stroke& now = strokes_[part.stroke];
-        const float limit = reach + now.margin_m;
+    // From the last stroke to the first: how far a stroke reaches depends on how widely those that
+    // come after it and matter here are blended in.
+    float later_m = 0.0F;
+    for (std::size_t end = parts.size(); end > 0;) {
+        const std::uint32_t stroke = parts[end - 1].stroke;
+        const Stroke& now = strokes_[stroke];
+        const float limit = reach + now.style.blend_m + later_m;
         const bool keep = now.blend == Blend::kKeep;
-        if (!keep && glm::length(point_m - part.centre_m) > limit + part.radius_m) continue;
-        if (!keep && part.shape->lower_bound(point_m) > limit) continue;
+        const std::size_t before = result.size();
+        for (; end > 0 && parts[end - 1].stroke == stroke; --end) {
+            const Part& part = parts[end - 1];
+            if (!keep && glm::length(point_m - part.centre_m) > limit + part.radius_m) continue;
+            if (!keep && part.shape->lower_bound(point_m) > limit) continue;
+            result.push_back(part);
+        }
+        if (result.size() == before) continue;
         solid = solid || now.blend == Blend::kAdd;
-        result.push_back(part);
+        later_m = std::max(later_m, now.style.blend_m);
     }
     if (!solid) result.clear();  // nothing here that could be carved or kept
+    std::reverse(result.begin(), result.end());
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 
 #include "app/measure/experiment.h"
 #include "app/measure/fit_settings.h"
@@ -92,6 +93,68 @@ TEST_F(Measure, GivesARowForEveryTechniqueSampleCountFilterAndCamera) {
         EXPECT_GT(row.frame.median_ms, row.cost.median_ms);
     }
     EXPECT_FALSE(report.timer_check.empty());
+}
+
+/// The rows of the first scene, as far as they do not depend on the others.
+std::string rows_of_boxes(const Measured& measured) {
+    std::vector<analysis::MeasurementRow> rows;
+    for (const analysis::MeasurementRow& row : measured.report.rows) {
+        if (row.scene == "boxes") rows.push_back(row);
+    }
+    return analysis::measurement_json(rows);
+}
+
+renderer::Scene build_interrupted() {
+    std::raise(SIGINT);
+    return build_boxes();
+}
+
+class InterruptedMeasure : public Measure {
+  protected:
+    /// Of boxes, by two cameras, and of a scene at whose opening Ctrl-C is pressed, if it is to be.
+    Measured run(bool interrupted) const {
+        MeasureRequest request = small_request();
+        request.scenes = {"boxes", "trap"};
+        request.techniques = {"none", "hbao"};
+        request.samples = {8};
+        request.filters = {"none"};
+        request.kept_views = kept_;
+        stimuli::BuiltinScene trap = boxes("trap");
+        trap.build = interrupted ? build_interrupted : build_boxes;
+        return measure(request, {boxes("boxes"), trap});
+    }
+    std::size_t files() const {
+        const std::filesystem::directory_iterator kept(kept_);
+        return static_cast<std::size_t>(std::distance(begin(kept), end(kept)));
+    }
+
+    std::filesystem::path kept_ = folder_.path() / "kept";
+};
+
+TEST_F(InterruptedMeasure, GoesOnBehindTheViewsThatWereFinished) {
+    const Measured before = run(true);
+    EXPECT_TRUE(before.interrupted);
+    EXPECT_EQ(files(), 2U);
+    const Measured whole = run(false);
+    EXPECT_FALSE(whole.interrupted);
+    // Times and all: it was not measured again.
+    EXPECT_TRUE(rows_of_boxes(whole) == rows_of_boxes(before));
+    EXPECT_EQ(whole.report.rows.size(), 2 * before.report.rows.size());
+    EXPECT_THAT(whole.notes, testing::Contains(HasSubstr("2 of 4 views, with their times")));
+    EXPECT_EQ(files(), 0U);
+    EXPECT_FALSE(rows_of_boxes(run(false)) == rows_of_boxes(before));
+}
+
+TEST_F(InterruptedMeasure, MeasuresAgainWhatWasDamagedMeanwhile) {
+    const Measured before = run(true);
+    for (const auto& entry : std::filesystem::directory_iterator(kept_)) {
+        std::string bytes = base::read_file(entry.path());
+        bytes.back() = static_cast<char>(bytes.back() + 1);
+        base::write_file_atomically(entry.path(), bytes);
+    }
+    const Measured whole = run(false);
+    EXPECT_FALSE(rows_of_boxes(whole) == rows_of_boxes(before));
+    EXPECT_THAT(whole.notes, testing::Not(testing::Contains(HasSubstr("of a run before"))));
 }
 
 TEST_F(Measure, APapersExperimentHasARowForEachSettingAndJudgesEachConclusion) {

@@ -69,5 +69,19 @@ TEST(FloatingPieces, AreThoseThatTouchNothing) {
     EXPECT_THAT(floating_pieces(scene), ElementsAre(HasSubstr("above floats: 1 times")));
 }
 
+TEST(FloatingPieces, AreNotThoseThatMeetAnotherEdgeToEdgeInOnePlane) {
+    renderer::Scene scene = tests::empty_scene();
+    const glm::vec3 back(0.0F, 0.0F, -1.0F);
+    const auto slab = [&](const glm::vec3& corner, float size, const char* name) {
+        tests::add_quad(scene, corner, {size, 0.0F, 0.0F}, size * back);
+        scene.meshes.back().name = name;
+    };
+    slab(glm::vec3(0.0F), 4.0F, "large");
+    slab({4.0005F, 0.0F, -1.5F}, 1.0F, "beside the middle of its edge");
+    EXPECT_THAT(floating_pieces(scene), IsEmpty());
+    slab({5.0105F, 0.0F, -1.5F}, 1.0F, "a centimetre off");
+    EXPECT_THAT(floating_pieces(scene), ElementsAre(HasSubstr("a centimetre off floats: 1")));
+}
+
 }  // namespace
 }  // namespace obscura::stimuli
