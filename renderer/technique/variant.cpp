@@ -86,6 +86,22 @@ std::string why_without(const Technique& technique, const std::string& option,
     return "";
 }
 
+/// Whether every frame can have as many samples.
+void check_frames(const Technique& technique, const Variant& variant, Problems& problems) {
+    const int frames = frames_of(variant);
+    if (!why_not_progressive(technique).empty()) return;
+    const int multiple = multiple_of(technique, variant);
+    if (variant.samples % (frames * multiple) == 0 &&
+        variant.samples / frames >= technique.samples.low) {
+        return;
+    }
+    problems.push_back(
+        {"frames",
+         fmt::format("{} is not allowed with {} samples: each frame takes as many, and "
+                     "{} takes multiples of {}, at least {}, a frame",
+                     frames, variant.samples, technique.name, multiple, technique.samples.low)});
+}
+
 void check_options(const Variant& variant, Problems& problems) {
     const Technique& technique = *find_technique(variant.technique);
     for (const VariantOption& option : variant_options()) {
@@ -97,27 +113,12 @@ void check_options(const Variant& variant, Problems& problems) {
             continue;
         }
         if (value == option.standard()) continue;
+        if (option.name == "frames") check_frames(technique, variant, problems);
         const std::string why = why_without(technique, option.name, value);
         if (why.empty()) continue;
         problems.push_back(
             {option.name, fmt::format("\"{}\" is not allowed: {} {}", value, technique.name, why)});
     }
-}
-
-/// Whether every frame can have as many samples.
-void check_frames(const Technique& technique, const Variant& variant, Problems& problems) {
-    const int frames = frames_of(variant);
-    if (frames == 1 || !why_not_progressive(technique).empty()) return;
-    const int multiple = multiple_of(technique, variant);
-    if (variant.samples % (frames * multiple) == 0 &&
-        variant.samples / frames >= technique.samples.low) {
-        return;
-    }
-    problems.push_back(
-        {"frames",
-         fmt::format("{} is not allowed with {} samples: each frame takes as many, and "
-                     "{} takes multiples of {}, at least {}, a frame",
-                     frames, variant.samples, technique.name, multiple, technique.samples.low)});
 }
 
 void check_parameter(const Technique& technique, const std::string& name, double value,
@@ -302,7 +303,6 @@ std::vector<VariantProblem> problems_of(const Variant& variant) {
     check_samples(*technique, variant, problems);
     check_denoise(*technique, variant.denoise, problems);
     check_options(variant, problems);
-    check_frames(*technique, variant, problems);
     for (const auto& [name, value] : variant.parameters) {
         check_parameter(*technique, name, value, problems);
     }
