@@ -97,9 +97,9 @@ void check_frames(const Technique& technique, const Variant& variant, Problems& 
     }
     problems.push_back(
         {"frames",
-         fmt::format("{} is not allowed with {} samples: each frame takes as many, and "
-                     "{} takes multiples of {}, at least {}, a frame",
-                     frames, variant.samples, technique.name, multiple, technique.samples.low)});
+         fmt::format("{} is not allowed with {} samples: frames share them evenly, each at "
+                     "least {}, and {} takes multiples of {} a frame",
+                     frames, variant.samples, technique.samples.low, technique.name, multiple)});
 }
 
 void check_options(const Variant& variant, Problems& problems) {
