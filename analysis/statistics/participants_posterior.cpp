@@ -153,8 +153,9 @@ struct Density {
     std::vector<double> values;
 
     [[nodiscard]] double at(std::size_t step) const {
-        return range.low + (range.high - range.low) * static_cast<double>(step) /
-                               static_cast<double>(values.size() - 1);
+        // The ends are met exactly: a share above 1 by a rounding has no likelihood.
+        return std::lerp(range.low, range.high,
+                         static_cast<double>(step) / static_cast<double>(values.size() - 1));
     }
 };
 
@@ -241,6 +242,7 @@ Possible<Posterior> participants_posterior(const std::vector<Votes>& each, doubl
         total += density.values[i];
         mean += density.values[i] * density.at(i);
     }
+    if (!(total > 0.0)) return None::none("the density of the share could not be computed");
     posterior.mean = mean / total;
     const double tail = (1.0 - confidence) / 2.0;
     posterior.interval = {quantile(density, sums, tail), quantile(density, sums, 1.0 - tail)};

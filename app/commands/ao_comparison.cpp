@@ -9,7 +9,7 @@
 
 #include "app/commands/scene_argument.h"
 #include "app/explorer/colour_scale.h"
-#include "app/measure/measured_view.h"
+#include "app/measure/measured_settings.h"
 #include "app/measure/sweep.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/measure/measured_view.h"
+#include "app/measure/measured_settings.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::app {

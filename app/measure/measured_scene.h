@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/measure/measured_view.h"
+#include "app/measure/measured_settings.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/reference.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "app/measure/experiment.h"
-#include "app/measure/measured_view.h"
+#include "app/measure/measured_settings.h"
 #include "renderer/base/check.h"
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"

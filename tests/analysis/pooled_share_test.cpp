@@ -96,6 +96,31 @@ TEST(ParticipantsPosterior, IsNearTheFlatOneOfVotesThatDoNotHangTogetherAndWideO
     EXPECT_NEAR(width(participants_posterior(alike)) / coins, std::sqrt(3.0), .05);
 }
 
+/// So many participants with none, one, two and three of three votes for B.
+std::vector<Votes> with_for_b(const std::array<int, 4>& participants) {
+    std::vector<Votes> each;
+    for (int for_b = 0; for_b < 4; ++for_b) {
+        each.insert(each.end(),
+                    static_cast<std::size_t>(participants.at(static_cast<std::size_t>(for_b))),
+                    Votes{3 - for_b, for_b});
+    }
+    return each;
+}
+
+TEST(ParticipantsPosterior, IsANumberForSharesWhoseDensityIsSoughtAsFarAsOne) {
+    // Sums over 401 shares and 300 correlations in double precision.
+    const auto posterior = participants_posterior(with_for_b({3, 31, 51, 35}));
+    EXPECT_NEAR(posterior->mean, .65933, 5e-4);
+    EXPECT_NEAR(posterior->interval.low, .608, 1.5e-3);
+    EXPECT_NEAR(posterior->interval.high, .709, 1.5e-3);
+    for (int with_one = 10; with_one < 90; ++with_one) {
+        const auto other = participants_posterior(with_for_b({4, with_one, 50, 30}));
+        EXPECT_TRUE(std::isfinite(other->mean)) << with_one;
+        EXPECT_LT(other->interval.low, other->mean) << with_one;
+        EXPECT_GT(other->interval.high, other->mean) << with_one;
+    }
+}
+
 TEST(ParticipantsPosterior, HasProperValuesOrAReasonAtTheEdges) {
     EXPECT_EQ(participants_posterior({}).reason, "no votes");
     for (const Votes& votes : tests::kEdgeVotes) {

@@ -3,7 +3,7 @@
 //
 // How often the tests of an analysis reject what is true, and its intervals hold it: simulated
 // studies of the built-in study through the whole analysis, in per cent.
-//   calibration_bench [STUDIES [STUDIES WITH THE MIXED MODEL]]
+//   calibration_bench [STUDIES [STUDIES WITH THE MIXED MODEL [PARTICIPANTS]]]
 // Nobody prefers anything over all people: a, no preference at all; b1, b2, likings of standard
 // deviation 1 and 2 (log odds), shared over conditions; bl and bs, 2, apart for each level and each
 // scene; order, b1 with the second image chosen by 60 %; careless, b1 with a fifth who always
@@ -70,7 +70,9 @@ int main(int count, char** arguments) {
     all.push_back({.name = ".65 a", .shares = {.65, .65, .65, .65, .65, .65, .65}});
     all.push_back({.name = ".65 b1", .sd = 1.0, .shares = {.65, .65, .65, .65, .65, .65, .65}});
     all.push_back({.name = "high", .sd = 1.0, .shares = {.5, .5, .5, .5, .65, .65, .65}});
-    for (const int participants : {12, 36, 120}) {
+    std::vector<int> sizes{12, 36, 120};
+    if (count > 3) sizes = {std::atoi(arguments[3])};
+    for (const int participants : sizes) {
         std::vector<std::string> head;
         std::vector<tests::Rates> columns;
         for (const tests::People& people : all) {

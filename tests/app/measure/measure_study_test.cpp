@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/measure/measure.h"
-#include "app/measure/measured_view.h"
+#include "app/measure/measured_settings.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "stimuli/study_writer.h"
