@@ -19,6 +19,9 @@ struct OverviewRow {
     std::string denoise;
     std::string open_planes;  ///< which planes without an occluder are open: all, facing, none
     std::string fails;        ///< what else of a perfect accessibility it has not by its definition
+    int hard_held = 0;        ///< of the technique's rows of the hard cases, those that hold
+    int hard_by_nature = 0;   ///< and those that it fails by its definition
+    int hard_rows = 0;        ///< of all; 0: they were not run
     double ms = 0.0;          ///< of accessibility and filter
     double layer_ms = 0.0;    ///< of a second layer's geometry beside them; 0: it has none
     double ratio = 0.0;       ///< of ms to the yardstick's; NaN: there is none
@@ -33,6 +36,9 @@ struct OverviewRow {
 /// What every ratio of time is taken to: the variant's name, as published.
 inline constexpr const char* kYardstick = "Blizzard24";
 
+/// OverviewRow::values of a row whose parameters a fit has found.
+inline constexpr const char* kFittedValues = "fitted";
+
 /// Fills in the ratios and marks the front. A second layer's geometry counts for the front.
 void finish_overview(std::vector<OverviewRow>& rows);
 
@@ -43,7 +49,7 @@ void finish_overview(std::vector<OverviewRow>& rows);
 
 /// Error over time in ratios, which hold on another machine: a point a row, open as published and
 /// filled as fitted, and the front. Names have the rows of the front and, of each technique, the
-/// first other as published. The axes span what is drawn.
+/// first other as published, so that no two touch. The axes span what is drawn.
 [[nodiscard]] Plot overview_chart(const std::vector<OverviewRow>& rows);
 
 }  // namespace obscura::analysis

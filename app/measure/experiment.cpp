@@ -7,28 +7,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/technique/variant_setting.h"
 
 namespace obscura::app {
-namespace {
-
-/// The papers' experiments that cannot be run, and why.
-constexpr std::pair<const char*, const char*> kNotThere[] = {
-    {"Sunet 2018, 5.2, forward and deferred pipelines", "there is only the G-buffer pipeline"},
-    {"Sunet 2018, 5.4, position from depth", "position is rebuilt by similar triangles only"},
-    {"Sunet 2018, 5.5, position in a buffer", "position is rebuilt by similar triangles only"},
-    {"Sunet 2018, 5.9, progressive", "no kernel is spread over frames"},
-};
-
-}  // namespace
-
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> list = {
-        front(),      jakobsen_order(), whinham_samples(),     sunet_depth(),    sunet_normals(),
-        sunet_blur(), sunet_methods(),  hussain_performance(), hussain_quality()};
+        front(),          jakobsen_order(),       whinham_samples(),   sunet_pipelines(),
+        sunet_depth(),    sunet_reconstruction(), sunet_positions(),   sunet_normals(),
+        sunet_blur(),     sunet_methods(),        sunet_progressive(), hussain_performance(),
+        hussain_quality()};
     return list;
 }
 
@@ -44,8 +33,6 @@ std::string experiments_text() {
     for (const Experiment& experiment : experiments()) {
         text += fmt::format("{:15} {}\n", experiment.name, experiment.title);
     }
-    text += "Not there:\n";
-    for (const auto& [what, why] : kNotThere) text += fmt::format("  {}: {}\n", what, why);
     return text;
 }
 

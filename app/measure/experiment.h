@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Outcome {
     double frame_ms = 0.0;
     double rmse = 0.0;  ///< root of the mean of the views' squared errors; NaN: it has no error
     double bias = 0.0;
+    std::map<std::string, double> house_ms = {};  ///< of the frame's other passes, by name
 };
 
 /// What an outcome says of the paper's conclusion.
@@ -51,7 +53,7 @@ struct Experiment {
 /// The experiment of that name, or nullptr.
 [[nodiscard]] const Experiment* find_experiment(const std::string& name);
 
-/// What `--experiments` prints: each with its title, and the papers' that there are not, with why.
+/// What `--experiments` prints: each with its title.
 [[nodiscard]] std::string experiments_text();
 
 // What the experiments are written with.
@@ -70,10 +72,14 @@ struct Experiment {
 [[nodiscard]] std::string in_order(const std::vector<Outcome>& outcomes, double Outcome::*value);
 
 [[nodiscard]] Experiment front();
+[[nodiscard]] Experiment sunet_pipelines();
 [[nodiscard]] Experiment sunet_depth();
+[[nodiscard]] Experiment sunet_reconstruction();
+[[nodiscard]] Experiment sunet_positions();
 [[nodiscard]] Experiment sunet_normals();
 [[nodiscard]] Experiment sunet_blur();
 [[nodiscard]] Experiment sunet_methods();
+[[nodiscard]] Experiment sunet_progressive();
 [[nodiscard]] Experiment whinham_samples();
 [[nodiscard]] Experiment hussain_performance();
 [[nodiscard]] Experiment hussain_quality();

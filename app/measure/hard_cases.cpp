@@ -28,16 +28,20 @@ analysis::HeldAgainst against(renderer::Against against) {
                                                 : analysis::HeldAgainst::kDefinition;
 }
 
+std::vector<renderer::HardCaseResult> run_told(renderer::HardCaseOptions options, bool quiet) {
+    base::Progress progress("hard cases", renderer::hard_case_steps(options), quiet);
+    options.progress = [&progress](const std::string& what) { progress.step(what); };
+    return renderer::run_hard_cases(options);
+}
+
 }  // namespace
 
 std::vector<analysis::HardCaseRow> run_all_hard_cases(const MeasureRequest& request) {
     renderer::HardCaseOptions options;
     options.techniques = request.techniques;
     if (request.quick) options.size_px = 64;
-    base::Progress progress("hard cases", renderer::hard_case_steps(options), request.quiet);
-    options.progress = [&progress](const std::string& what) { progress.step(what); };
     std::vector<analysis::HardCaseRow> rows;
-    for (const renderer::HardCaseResult& result : renderer::run_hard_cases(options)) {
+    for (const renderer::HardCaseResult& result : run_told(options, request.quiet)) {
         rows.push_back({result.name, result.technique, result.quantity, result.expected,
                         result.measured, result.tolerance, holds(result.outcome), result.note,
                         against(result.against), result.definition});
@@ -48,6 +52,21 @@ std::vector<analysis::HardCaseRow> run_all_hard_cases(const MeasureRequest& requ
                         result.holds ? analysis::Holds::kYes : analysis::Holds::kNo, result.note});
     }
     return rows;
+}
+
+std::map<std::string, HardCaseCount> count_hard_cases(const std::vector<std::string>& techniques,
+                                                      bool quiet) {
+    renderer::HardCaseOptions options;
+    options.techniques = techniques;
+    options.timing = false;
+    std::map<std::string, HardCaseCount> counts;
+    for (const renderer::HardCaseResult& result : run_told(options, quiet)) {
+        HardCaseCount& count = counts[result.technique];
+        ++count.rows;
+        if (result.outcome == renderer::Outcome::kHolds) ++count.held;
+        if (result.outcome == renderer::Outcome::kByNature) ++count.by_nature;
+    }
+    return counts;
 }
 
 }  // namespace obscura::app

@@ -93,7 +93,7 @@ analysis::ErrorMap map_from_json(const Json& json) {
 
 /// A hash of what follows, which is the view in CBOR (RFC 8949).
 std::string encode(const SweptView& view) {
-    Json json{{"rows", view.rows}, {"maps", Json::array()}};
+    Json json{{"rows", view.rows}, {"maps", Json::array()}, {"house_ms", view.house_ms}};
     for (const auto& [row, map] : view.maps) {
         json["maps"].push_back({{"row", row}, {"map", map_to_json(map)}});
     }
@@ -110,6 +110,7 @@ SweptView decode(const std::string& file) {
     const Json json = Json::from_cbor(file.begin() + kHash, file.end());
     SweptView view;
     view.rows = json.at("rows").get<std::vector<analysis::MeasurementRow>>();
+    json.at("house_ms").get_to(view.house_ms);
     for (const Json& map : json.at("maps")) {
         view.maps.emplace_back(map.at("row").get<std::size_t>(), map_from_json(map.at("map")));
     }

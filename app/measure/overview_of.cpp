@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/measure/overview_of.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace obscura::app {
@@ -60,14 +61,31 @@ analysis::OverviewRow mean_row(const Experiment::Setting& setting,
 
 }  // namespace
 
-std::vector<analysis::OverviewRow> overview_of(const std::vector<analysis::MeasurementRow>& rows,
-                                               const std::vector<Experiment::Setting>& settings) {
+std::vector<analysis::OverviewRow> overview_of(
+    const std::vector<analysis::MeasurementRow>& rows,
+    const std::vector<Experiment::Setting>& settings,
+    const std::map<std::string, HardCaseCount>& hard_cases) {
     std::vector<analysis::OverviewRow> overview;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         overview.push_back(mean_row(settings[i], rows, i, settings.size()));
+        const auto count = hard_cases.find(settings[i].variant.technique);
+        if (count == hard_cases.end()) continue;
+        overview.back().hard_held = count->second.held;
+        overview.back().hard_by_nature = count->second.by_nature;
+        overview.back().hard_rows = count->second.rows;
     }
     analysis::finish_overview(overview);
     return overview;
+}
+
+std::vector<std::string> techniques_of(const std::vector<Experiment::Setting>& settings) {
+    std::vector<std::string> names;
+    for (const Experiment::Setting& setting : settings) {
+        const std::string& name = setting.variant.technique;
+        if (!renderer::find_technique(name)->makes_accessibility()) continue;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
 }
 
 }  // namespace obscura::app

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/measure/experiment.h"
+#include "app/measure/hard_cases.h"
 #include "app/measure/overview_of.h"
 #include "app/measure/sweep_views.h"
 #include "renderer/base/error.h"
@@ -15,9 +16,11 @@
 namespace obscura::app {
 namespace {
 
+using HouseTimes = std::vector<std::map<std::string, double>>;
+
 /// The means of a setting's rows, `every` rows apart.
 Outcome mean_of(const std::string& name, const std::vector<analysis::MeasurementRow>& rows,
-                std::size_t first, std::size_t every) {
+                const HouseTimes& house_ms, std::size_t first, std::size_t every) {
     Outcome outcome{name};
     double square = 0.0;
     double count = 0.0;
@@ -28,8 +31,10 @@ Outcome mean_of(const std::string& name, const std::vector<analysis::Measurement
         outcome.frame_ms += row.frame.median_ms;
         square += row.error.has_value() ? row.error->rmse * row.error->rmse : NAN;
         outcome.bias += row.error.has_value() ? row.error->bias : NAN;
+        for (const auto& [pass, ms] : house_ms[i]) outcome.house_ms[pass] += ms;
         count += 1.0;
     }
+    for (auto& [pass, ms] : outcome.house_ms) ms /= count;
     for (double* sum : {&outcome.ao_ms, &outcome.filter_ms, &outcome.frame_ms, &outcome.bias}) {
         *sum /= count;
     }
@@ -68,17 +73,21 @@ std::vector<std::string> run_experiment(MeasuredScene& stage, const MeasureReque
         throw base::failure("{}, which say nothing without the others; {}", swept.notes.back(),
                             kGoesOn);
     }
+    HouseTimes house_ms;
     for (SweptView& view : swept.views) {
         for (auto& row : view.rows) report.rows.push_back(std::move(row));
+        for (auto& ms : view.house_ms) house_ms.push_back(std::move(ms));
     }
     std::vector<Outcome> outcomes;
     for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
-        outcomes.push_back(
-            mean_of(experiment.settings[i].name, report.rows, i, experiment.settings.size()));
+        outcomes.push_back(mean_of(experiment.settings[i].name, report.rows, house_ms, i,
+                                   experiment.settings.size()));
         if (!experiment.overview) report.findings.push_back(in_a_sentence(outcomes.back()));
     }
     if (experiment.overview) {
-        report.overview = overview_of(report.rows, experiment.settings);
+        report.overview =
+            overview_of(report.rows, experiment.settings,
+                        count_hard_cases(techniques_of(experiment.settings), request.quiet));
     }
     const std::vector<Finding> findings =
         experiment.judge != nullptr ? experiment.judge(outcomes) : std::vector<Finding>{};

@@ -104,6 +104,7 @@ struct OtherPasses {
     Variant choice;  ///< the first one with them
     std::vector<double> ms;
     std::vector<double> layer_ms;  ///< of them, a second layer's
+    std::map<std::string, std::vector<double>> by_pass_ms = {};
 };
 
 std::string key_of(const renderer::PlannedTarget& target) {
@@ -239,6 +240,11 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
             const Frame frame = stage.render(view, passes.choice, *request.width, *request.height);
             passes.ms.push_back(others_ms(frame, timers.use_queries));
             passes.layer_ms.push_back(second_layer_ms(frame, timers.use_queries));
+            for (const renderer::PassTime& time : frame.times) {
+                if (renderer::is_of_the_variant(time.phase)) continue;
+                passes.by_pass_ms[time.name].push_back(timers.use_queries ? time.query_milliseconds
+                                                                          : time.milliseconds);
+            }
         }
     }
     std::vector<RunTimes> times(settings.size());
@@ -253,6 +259,10 @@ SweptView sweep(MeasuredScene& stage, const MeasureRequest& request, const Measu
         const OtherPasses& passes = others.at(plans_of_others[i]);
         times[i].put(swept.rows[i], passes.ms);
         swept.rows[i].layer_ms = analysis::summary_of(passes.layer_ms).median_ms;
+        auto& house_ms = swept.house_ms.emplace_back();
+        for (const auto& [name, ms] : passes.by_pass_ms) {
+            house_ms[name] = analysis::summary_of(ms).median_ms;
+        }
     }
     return swept;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,8 @@ struct SweptView {
     std::vector<analysis::MeasurementRow> rows;  ///< one a setting
     /// Of the settings that the study shows, each with the index of its row; without names yet.
     std::vector<std::pair<std::size_t, analysis::ErrorMap>> maps;
+    /// Of each setting: median milliseconds of the frame's other passes, by name.
+    std::vector<std::map<std::string, double>> house_ms;
 };
 
 /// Who wants to know how far the sweep of a view is; `what` names view and setting.

@@ -52,6 +52,8 @@ bool gives_the_same(const PlannedPass& pass, const FramePlan& plan, const FrameP
     if (!depends_on_the_view_only(pass.phase) || !known.has(pass.phase)) return false;
     if (!(plan.needs == known.needs)) return false;
     if (pass.phase != Phase::kShadow && !(plan.options == known.options)) return false;
+    // What fewer buffers hold would be the same, but not the time that it takes.
+    if (pass.phase == Phase::kGeometry && plan.lit_forward() != known.lit_forward()) return false;
     if (pass.phase == Phase::kOccluders && plan.blended_occlude() != known.blended_occlude()) {
         return false;
     }

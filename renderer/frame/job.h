@@ -41,6 +41,7 @@ struct Renderer::Job {
         program.set("u_size", glm::vec2(size));
         program.set("u_ray_scale", of.ray_scale);
         program.set("u_ray_offset", of.ray_offset);
+        program.set("u_view_from_clip", glm::inverse(of.clip_from_view));
         set_place_in_image(program, of);
     }
     /// Uniforms of passes/depth_of_sample.glsl and of passes/view.glsl, for the attached buffers.

@@ -60,11 +60,15 @@ void Renderer::run_occluders(Job& job) {
     Defines defines = surface_defines(job.plan.needs, normal);
     const std::string codec = normal_format_of(job.plan.variant.normal_format).define;
     if (normal && job.plan.own_normals()) defines.push_back(codec);
-    attach(job, {Target::kOccluderDepth, Target::kOccluderNormal}, Target::kOccluderVisibility);
+    const bool position = job.has(Target::kOccluderPosition);
+    if (position) defines.emplace_back("POSITION");
+    attach(job, {Target::kOccluderDepth, Target::kOccluderNormal, Target::kOccluderPosition},
+           Target::kOccluderVisibility);
     if (job.plan.draws_occluders()) {
         constexpr GLfloat kNothing[2][4] = {{kBackgroundDepth_m, 0, 0, 0}, {0, 0, 0, 0}};
         glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing[0]);
         if (normal) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing[1]);
+        if (position) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 2, kNothing[1]);
         draw_opaque(job, job.camera, "passes/occluders.frag.glsl", defines,
                     [&](gl::Program& shader) { job.set_place_in_image(shader, job.camera); });
     } else {
@@ -76,6 +80,7 @@ void Renderer::run_occluders(Job& job) {
         copy(Target::kVisibility, Target::kOccluderVisibility);
         copy(Target::kDepth, Target::kOccluderDepth);
         if (normal) copy(Target::kNormal, Target::kOccluderNormal);
+        if (position) copy(Target::kPosition, Target::kOccluderPosition);
     }
     if (!job.plan.blended_occlude()) return;
     defines.emplace_back("BLENDED");

@@ -39,6 +39,13 @@ void Renderer::bind_accessibility(Job& job, gl::Program& program) {
     bind(program, "t_pixel_depth", job.frame.texture(Target::kOccluderDepth), 5);
 }
 
+void Renderer::clear_to_background(Job& job) {
+    const glm::vec3 background =
+        job.plan.hdr() ? job.lighting.background : encode_srgb(job.lighting.background);
+    const glm::vec4 empty(background, 1.0F);
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, &empty.x);
+}
+
 void Renderer::run_composite(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
     const bool occluded = job.plan.makes_accessibility();
@@ -55,10 +62,7 @@ void Renderer::run_composite(Job& job) {
     gl::Program& shader =
         program("passes/full_screen.vert.glsl", "passes/composite.frag.glsl", defines);
     attach(job, {job.plan.hdr() ? Target::kHdr : Target::kDisplay});
-    const glm::vec3 background =
-        job.plan.hdr() ? job.lighting.background : encode_srgb(job.lighting.background);
-    const glm::vec4 empty(background, 1.0F);
-    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, &empty.x);
+    clear_to_background(job);
     bind(shader, "t_albedo", job.frame.texture(Target::kAlbedo), 0);
     if (occluded) {
         bind_accessibility(job, shader);

@@ -62,12 +62,17 @@ void Renderer::set_surface(Job& job, gl::Program& program, const Material& mater
 void Renderer::run_geometry(Job& job) {
     Defines defines = surface_defines(job.plan.needs, job.has(Target::kNormal));
     if (job.has(Target::kDepth)) defines.emplace_back("DEPTH");
+    if (job.has(Target::kAlbedo)) defines.emplace_back("ALBEDO");
+    if (job.has(Target::kPosition)) defines.emplace_back("POSITION");
+    if (!job.has(Target::kEmission)) std::erase(defines, "EMISSION");
 
-    attach(job, {Target::kAlbedo, Target::kNormal, Target::kDepth, Target::kEmission});
-    clear(framebuffer_.name(), 0, glm::vec4(0.0F));
+    attach(job, {Target::kAlbedo, Target::kNormal, Target::kDepth, Target::kEmission,
+                 Target::kPosition});
+    if (job.has(Target::kAlbedo)) clear(framebuffer_.name(), 0, glm::vec4(0.0F));
     if (job.has(Target::kNormal)) clear(framebuffer_.name(), 1, glm::vec4(0.0F));
     if (job.has(Target::kDepth)) clear(framebuffer_.name(), 2, glm::vec4(kBackgroundDepth_m));
     if (job.has(Target::kEmission)) clear(framebuffer_.name(), 3, glm::vec4(0, 0, 0, 1));
+    if (job.has(Target::kPosition)) clear(framebuffer_.name(), 4, glm::vec4(0.0F));
     glEnable(GL_FRAMEBUFFER_SRGB);  // the albedo target stores sRGB code values
     const bool depth = job.has(Target::kDepth);
     draw_opaque(job, job.camera, "passes/geometry.frag.glsl", defines, [&](gl::Program& shader) {

@@ -9,17 +9,20 @@ namespace obscura::renderer {
 void Renderer::run_seen(Job& job) {
     const FramePlan& plan = job.plan;
     const bool normal = job.has(Target::kSeenNormal);
+    const bool position = job.has(Target::kSeenPosition);
     const bool depth_rebuilt = plan.variant.depth_format == "d24";
     const bool normal_rebuilt = plan.variant.normal_format == "from-depth";
     Defines defines{"STEP " + std::to_string(plan.ao_step)};
     if (depth_rebuilt) defines.emplace_back("DEPTH_REBUILT");
     if (normal) defines.emplace_back("NORMAL");
+    if (position) defines.emplace_back("POSITION_KEPT");
     if (normal && normal_rebuilt) {
         defines.emplace_back("NORMAL_REBUILT");
         defines.emplace_back(normal_format_of("from-depth").define);
     }
     gl::Program& shader = program("passes/full_screen.vert.glsl", "passes/seen.frag.glsl", defines);
-    attach(job, {Target::kSeenDepth, Target::kSeenNormal}, Target::kSeenVisibility);
+    attach(job, {Target::kSeenDepth, Target::kSeenNormal, Target::kSeenPosition},
+           Target::kSeenVisibility);
     job.set_view(shader);
     shader.set("u_near_m", job.source.near_m);
     shader.set("u_far_m", job.source.far_m);
@@ -29,6 +32,9 @@ void Renderer::run_seen(Job& job) {
     }
     if (normal && !normal_rebuilt) {
         bind(shader, "t_normal", job.frame.texture(plan.of_pixels(Target::kNormal)), 2);
+    }
+    if (position) {
+        bind(shader, "t_position", job.frame.texture(plan.of_pixels(Target::kPosition)), 3);
     }
     full_screen(shader, GL_ALWAYS, GL_TRUE);
 }

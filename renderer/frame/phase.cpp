@@ -7,9 +7,9 @@
 namespace obscura::renderer {
 
 std::string to_string(Phase phase) {
-    constexpr std::array kNames{"geometry",      "shadow",  "occluders", "seen",   "second layer",
-                                "accessibility", "denoise", "upsample",  "light",  "composite",
-                                "sky",           "blend",   "tone map",  "resolve"};
+    constexpr std::array kNames{"geometry",      "shadow",  "occluders", "seen",     "second layer",
+                                "accessibility", "denoise", "upsample",  "light",    "composite",
+                                "forward",       "sky",     "blend",     "tone map", "resolve"};
     return kNames.at(static_cast<std::size_t>(phase));
 }
 

@@ -20,6 +20,7 @@ enum class Phase {
     kUpsample,
     kLight,
     kComposite,
+    kForward,
     kSky,
     kBlend,
     kToneMap,

@@ -39,6 +39,7 @@ std::string FramePlan::seen_by_technique(std::string_view buffer) const {
     if (has(Phase::kSeen)) {
         if (buffer == Target::kDepth.name) return Target::kSeenDepth.name;
         if (buffer == Target::kNormal.name) return Target::kSeenNormal.name;
+        if (buffer == Target::kPosition.name) return Target::kSeenPosition.name;
         if (buffer == Target::kVisibility.name) return Target::kSeenVisibility.name;
     }
     return of_pixels(buffer);
@@ -48,6 +49,7 @@ std::string FramePlan::of_pixels(std::string_view buffer) const {
     if (has(Phase::kOccluders)) {
         if (buffer == Target::kDepth.name) return Target::kOccluderDepth.name;
         if (buffer == Target::kNormal.name) return Target::kOccluderNormal.name;
+        if (buffer == Target::kPosition.name) return Target::kOccluderPosition.name;
         if (buffer == Target::kVisibility.name) return Target::kOccluderVisibility.name;
     }
     return std::string(buffer);

@@ -9,6 +9,7 @@
 #include "renderer/frame/format.h"
 #include "renderer/frame/plan.h"
 #include "renderer/recipe/normal_format.h"
+#include "renderer/technique/progressive.h"
 
 namespace obscura::renderer {
 namespace {
@@ -20,7 +21,7 @@ class Planner {
             const FrameOptions& options, int width, int height)
         : normal_(normal_format_of(variant.normal_format)),
           technique_(technique),
-          recipe_(technique.recipe ? technique.recipe(variant) : Recipe{}),
+          recipe_(recipe_of(technique, variant)),
           filter_(find_denoise(variant.denoise)->recipe),
           accessibility_(technique.makes_accessibility()) {
         plan_.width = width * options.supersampling;
@@ -69,6 +70,8 @@ class Planner {
     void plan_second_layer();
     void plan_seen();
     void plan_upsample();
+    void plan_composite();
+    void plan_forward();
     /// The steps of a recipe, as often as it has frames.
     void plan_steps(const Recipe& recipe, Phase phase);
     void plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame);
@@ -82,8 +85,11 @@ class Planner {
     [[nodiscard]] bool once_a_pixel() const {
         return accessibility_ && plan_.options.supersampling > 1;
     }
-    [[nodiscard]] bool occluders() const {
-        return once_a_pixel() || plan_.blended_occlude() || draws_normals();
+    [[nodiscard]] bool occluders() const { return draws_occluders() || plan_.blended_occlude(); }
+    /// Whether what the technique sees is drawn apart from what the image shows.
+    [[nodiscard]] bool draws_occluders() const { return once_a_pixel() || draws_normals(); }
+    [[nodiscard]] bool stores_position() const {
+        return plan_.variant.position == "stored" && recipe_.reads(Target::kPosition);
     }
     [[nodiscard]] bool draws_normals() const { return reads_normal() && plan_.own_normals(); }
     [[nodiscard]] bool reads_normal() const {
@@ -111,14 +117,19 @@ Buffer Planner::in_its_format(Buffer buffer) const {
         !rebuilt) {
         buffer.format = variant.depth_format;
     }
+    if (is_one_of({Target::kPosition, Target::kOccluderPosition, Target::kSeenPosition}) &&
+        variant.depth_format == "r16f") {
+        buffer.format = "rgba16f";
+    }
     if (is_one_of({Target::kSeenNormal}) || (buffer.is(Target::kOccluderNormal) && draws_normals()))
         buffer.format = normal_.buffer;
     if (is_one_of(
             {Target::kAccessibility, Target::kHistory, Target::kDenoised, Target::kUpsampled})) {
         buffer.format = variant.ao_format;
     }
-    if (is_one_of({Target::kSeenDepth, Target::kSeenNormal, Target::kSeenVisibility,
-                   Target::kAccessibility, Target::kHistory, Target::kDenoised})) {
+    if (is_one_of({Target::kSeenDepth, Target::kSeenNormal, Target::kSeenPosition,
+                   Target::kSeenVisibility, Target::kAccessibility, Target::kHistory,
+                   Target::kDenoised})) {
         buffer.scale = 1.0F / static_cast<float>(plan_.ao_step);
     }
     if (is_one_of({Target::kSecondDepth, Target::kSecondVisibility})) {
@@ -160,17 +171,29 @@ const std::string& Planner::add(const Buffer& asked) {
 
 void Planner::plan_geometry() {
     const bool all = plan_.options.all_buffers;
+    const bool forward = plan_.lit_forward();
+    const bool technique_has_its_own = draws_occluders();
     // Where the technique runs once a pixel, samples find their pixel by depth.
-    const bool depth = all || once_a_pixel() || recipe_.reads(Target::kDepth) ||
-                       (denoised() && filter_.reads(Target::kDepth)) || needs().direct_light();
+    const bool depth = all || recipe_.reads(Target::kDepth) ||
+                       (denoised() && filter_.reads(Target::kDepth)) ||
+                       (!forward && (once_a_pixel() || needs().direct_light()));
     const bool read_normal = reads_normal();
-    const bool copied = read_normal && !once_a_pixel() && !draws_normals() &&
-                        plan_.variant.normal_format != "from-depth";
-    const bool normal = all || copied || lit();
-    std::vector<Buffer> writes{Target::kVisibility, Target::kAlbedo};
+    const bool copied =
+        read_normal && !technique_has_its_own && plan_.variant.normal_format != "from-depth";
+    const bool normal = all || copied || (lit() && !forward);
+    const bool position = stores_position() && !technique_has_its_own;
+    const bool emission = needs().emission && (!forward || all);
+    const bool traced = technique_.is_truth();
+    if (forward && !all && (technique_has_its_own || !(depth || traced))) {
+        leave_out("geometry", "nothing is read of it before surfaces are drawn and lit");
+        return;
+    }
+    std::vector<Buffer> writes{Target::kVisibility};
+    if (!forward || all) writes.push_back(Target::kAlbedo);
     if (normal) writes.push_back(Target::kNormal);
     if (depth) writes.push_back(Target::kDepth);
-    if (needs().emission) writes.push_back(Target::kEmission);
+    if (emission) writes.push_back(Target::kEmission);
+    if (position) writes.push_back(Target::kPosition);
     pass(Phase::kGeometry, {}, writes);
     if (!normal) {
         leave_out("normal", read_normal ? "the light reads none, and the technique has its own"
@@ -210,9 +233,11 @@ void Planner::plan_occluders() {
     std::vector<Read> reads;
     std::vector<Buffer> writes{Target::kOccluderVisibility, Target::kOccluderDepth};
     if (normal) writes.push_back(Target::kOccluderNormal);
-    if (!once_a_pixel() && !draws_normals()) {  // copied from the image's own
+    if (stores_position()) writes.push_back(Target::kOccluderPosition);
+    if (!draws_occluders()) {  // copied from the image's own
         reads = {Target::kVisibility, Target::kDepth};
         if (normal) reads.emplace_back(Target::kNormal);
+        if (stores_position()) reads.emplace_back(Target::kPosition);
     }
     pass(Phase::kOccluders, reads, writes);
 }
@@ -240,6 +265,10 @@ void Planner::plan_seen() {
         reads.emplace_back(plan_.of_pixels(Target::kNormal), Target::kNormal.name);
     }
     if (normal) writes.push_back(Target::kSeenNormal);
+    if (stores_position()) {
+        reads.emplace_back(plan_.of_pixels(Target::kPosition), Target::kPosition.name);
+        writes.push_back(Target::kSeenPosition);
+    }
     pass(Phase::kSeen, reads, writes);
 }
 
@@ -288,12 +317,20 @@ void Planner::plan_steps(const Recipe& recipe, Phase phase) {
     Step history{"history", "passes/history.frag.glsl", {}, Target::kHistory.name, {"FIRST"}};
     history.cover = Cover::kAll;
     for (int frame = 0; frame < recipe.frames; ++frame) {
-        if (recipe.reads(Target::kHistory)) {
+        const bool read =
+            std::any_of(recipe.steps.begin(), recipe.steps.end(), [frame](const Step& step) {
+                return step.is_in(frame) && step.reads_buffer(Target::kHistory);
+            });
+        if (read) {
+            if (frame > 0) {
+                history.reads = {Target::kAccessibility};
+                history.defines.clear();
+            }
             plan_step(recipe, history, phase, frame);
-            history.reads = {Target::kAccessibility};
-            history.defines.clear();
         }
-        for (const Step& step : recipe.steps) plan_step(recipe, step, phase, frame);
+        for (const Step& step : recipe.steps) {
+            if (step.is_in(frame)) plan_step(recipe, step, phase, frame);
+        }
     }
 }
 
@@ -311,6 +348,7 @@ void Planner::plan_step(const Recipe& recipe, const Step& step, Phase phase, int
         planned.step->defines.emplace_back(normal_.define);
     }
     for (const Read& read : step.reads) {
+        if (read.name == Target::kPosition.name && !stores_position()) continue;
         if (const NumberTable* table = recipe.find_table(read.name)) {
             planned.tables.push_back(*table);
             planned.tables.back().name = read.as;
@@ -369,6 +407,10 @@ void Planner::plan_light() {
         leave_out("light", "constant ambient light needs no buffer");
         return;
     }
+    if (plan_.lit_forward() && !plan_.options.all_buffers) {
+        leave_out("light", "surfaces are lit while they are drawn");
+        return;
+    }
     std::vector<Read> reads{Target::kNormal};
     if (needs().direct_light()) reads.emplace_back(Target::kDepth);
     if (needs().lights > 0) reads.emplace_back(Target::kShadow);
@@ -377,8 +419,7 @@ void Planner::plan_light() {
     if (!needs().specular) leave_out("specular", "no material or no light has any");
 }
 
-void Planner::plan_image() {
-    const Buffer& image = plan_.hdr() ? Target::kHdr : Target::kDisplay;
+void Planner::plan_composite() {
     std::vector<Read> reads{Target::kAlbedo};
     if (accessibility_) reads.emplace_back(plan_.final_accessibility());
     if (once_a_pixel()) {
@@ -387,7 +428,27 @@ void Planner::plan_image() {
     }
     reads.insert(reads.end(), light_.begin(), light_.end());
     if (needs().emission) reads.emplace_back(Target::kEmission);
-    pass(Phase::kComposite, reads, {image});
+    pass(Phase::kComposite, reads, {plan_.hdr() ? Target::kHdr : Target::kDisplay});
+}
+
+void Planner::plan_forward() {
+    std::vector<Read> reads;
+    if (accessibility_) reads.emplace_back(plan_.final_accessibility());
+    if (once_a_pixel()) reads.emplace_back(Target::kOccluderDepth);
+    if (needs().lights > 0) reads.emplace_back(Target::kShadow);
+    if (needs().point_lights > 0) reads.emplace_back(Target::kPointShadow);
+    pass(Phase::kForward, reads,
+         {Target::kVisibility, plan_.hdr() ? Target::kHdr : Target::kDisplay});
+    leave_out("composite", "surfaces are drawn and lit in one");
+}
+
+void Planner::plan_image() {
+    const Buffer& image = plan_.hdr() ? Target::kHdr : Target::kDisplay;
+    if (plan_.lit_forward()) {
+        plan_forward();
+    } else {
+        plan_composite();
+    }
     if (needs().environment) {
         pass(Phase::kSky, {Target::kVisibility}, {image});
     } else {

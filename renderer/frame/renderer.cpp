@@ -104,7 +104,7 @@ void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, i
 
 void Renderer::attach(Job& job, const std::vector<std::string_view>& targets,
                       std::optional<std::string_view> visibility) {
-    constexpr int kSlots = 4;
+    constexpr int kSlots = 5;
     const GLuint name = framebuffer_.name();
     std::vector<GLenum> buffers;
     for (int i = 0; i < kSlots; ++i) {
@@ -155,6 +155,7 @@ void Renderer::run_pass(Job& job, const PlannedPass& pass) {
         {Phase::kLight, &Renderer::run_light},
         {Phase::kSky, &Renderer::run_sky},
         {Phase::kComposite, &Renderer::run_composite},
+        {Phase::kForward, &Renderer::run_forward},
         {Phase::kBlend, &Renderer::run_blend},
         {Phase::kToneMap, &Renderer::run_tone_map},
         {Phase::kResolve, &Renderer::run_resolve},

@@ -84,6 +84,7 @@ class Renderer {
     void run_light(Job& job);
     void run_sky(Job& job);
     void run_composite(Job& job);
+    void run_forward(Job& job);
     void run_blend(Job& job);
     void run_tone_map(Job& job);
     void run_resolve(Job& job);
@@ -96,6 +97,8 @@ class Renderer {
     void set_surface(Job& job, gl::Program& program, const Material& material);
     /// The uniforms of passes/lighting.glsl; shadow maps are bound to units 6 and 7.
     void set_lighting(Job& job, gl::Program& program);
+    /// What is behind all surfaces, in the image that they are drawn into.
+    void clear_to_background(Job& job);
     /// The layers of a shadow map, one a view.
     void draw_shadows(Job& job, const Buffer& map, const std::vector<ShadowView>& views);
     /// Blended triangles of materials at least that opaque, the furthest first.

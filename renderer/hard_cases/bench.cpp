@@ -12,6 +12,7 @@
 #include "renderer/passes/shared_constants.h"
 #include "renderer/recipe/normal_format.h"
 #include "renderer/scene/camera.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/reference.h"
 
 namespace obscura::renderer {
@@ -32,21 +33,6 @@ Values values_of(const std::vector<std::optional<Admitted>>& admitted) {
     return values;
 }
 
-}  // namespace
-
-Admitted as_stored(Admitted pixel, const std::string& format) {
-    const auto step_at = [&format](double value) {
-        if (format == "r8") return 1.0 / 255.0;
-        if (format != "r16f") return 0.0;
-        return std::ldexp(1.0, std::max(std::ilogb(std::max(value, 1.0e-9)), -14) - 10);
-    };
-    pixel.low -= step_at(pixel.low);
-    pixel.high += step_at(pixel.high);
-    return pixel;
-}
-
-namespace {
-
 /// What a filter is told: samples that repeat over a tile have no error that it could know.
 int samples_of_rays(const Variant& variant) {
     return find_technique(variant.technique)->ray_traced ? variant.samples : 0;
@@ -66,12 +52,17 @@ SeenBuffers seen_buffers(const Frame& frame, const Camera& camera) {
         .empty = frame.read_empty(plan.seen_by_technique(Target::kVisibility)),
         .normal = {},
         .normal_format = plan.variant.normal_format,
+        .position = plan.variant.position,
+        .position_m = {},
         .second_m = {},
         .second_step = plan.second_step,
         .samples = samples_of_rays(plan.variant)};
     for (float& depth_m : buffers.depth_m) {
         // Half floats may hold infinity there; a shader sees no difference.
         if (depth_m >= kBackgroundLimit_m) depth_m = kBackgroundDepth_m;
+    }
+    if (plan.variant.position == "stored") {
+        buffers.position_m = frame.read_components(plan.seen_by_technique(Target::kPosition), 3);
     }
     if (plan.find(Target::kSecondDepth) != nullptr) {
         buffers.second_m = frame.read_floats(Target::kSecondDepth);
@@ -173,8 +164,8 @@ const Bench::AdmittedPixels& Bench::admitted_of(const SeenBuffers& buffers, Vari
     choice.denoise = "none";  // comes after
     if (last_.choice != choice || !(last_.buffers == buffers)) {
         last_ = {buffers, choice, {}};
-        last_.admitted = admitted_by(find_technique(choice.technique)->model(last_.buffers, choice),
-                                     last_.buffers);
+        last_.admitted = admitted_by(
+            model_of(*find_technique(choice.technique), last_.buffers, choice), last_.buffers);
         for (std::optional<Admitted>& pixel : last_.admitted) {
             if (pixel) *pixel = as_stored(*pixel, choice.ao_format);
         }

@@ -11,15 +11,12 @@
 
 #include "renderer/hard_cases/agreement.h"
 #include "renderer/hard_cases/hard_case.h"
+#include "renderer/model/stored.h"
 
 namespace obscura::renderer {
 
 /// What the technique of that frame read.
 [[nodiscard]] SeenBuffers seen_buffers(const Frame& frame, const Camera& camera);
-
-/// What a format of Variant::ao_format may make of a value: it stores the nearest that it has, or
-/// one beside that.
-[[nodiscard]] Admitted as_stored(Admitted pixel, const std::string& format);
 
 /// One value a pixel, upper row first.
 using Values = std::vector<float>;

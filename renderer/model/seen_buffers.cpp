@@ -83,6 +83,33 @@ Rounded3 SeenView::ray(const ImagePoint& place) const {
     return {x * scale_x_ + shift_x * scale_x_, y * scale_y_ + shift_y * scale_y_, Rounded(-1.0)};
 }
 
+Rounded3 SeenView::point(int x, int y) const {
+    if (buffers_.position == "stored") {
+        const float* point = &buffers_.position_m[3 * buffers_.index(x, y)];
+        return {Rounded(point[0]), Rounded(point[1]), Rounded(point[2])};
+    }
+    const Rounded z(buffers_.depth_at(x, y));
+    Rounded3 point = ray(place_of(x, y)) * z;
+    if (buffers_.position == "inverse-projection") {
+        // The inverse is made in floats, by cofactors, and its product is a sum of four.
+        constexpr double kOperations = 24.0;
+        const auto widen = [&](Rounded& along, const Rounded& scale, float shift) {
+            const double size = scale.size() * (1.0 + std::abs(static_cast<double>(shift)));
+            along.error += kOperations * kUlp * size * z.size();
+        };
+        widen(point.x, scale_x_, buffers_.camera.lens_shift.x);
+        widen(point.y, scale_y_, buffers_.camera.lens_shift.y);
+        point.z.error += kOperations * kUlp * z.size();
+    }
+    return point;
+}
+
+Rounded3 SeenView::ray_to(int x, int y) const {
+    if (buffers_.position == "similar-triangles") return ray(place_of(x, y));
+    const Rounded3 to = point(x, y);
+    return {to.x / -to.z, to.y / -to.z, Rounded(-1.0)};
+}
+
 SeenDepths SeenView::depths_at(const Rounded3& point) const {
     constexpr double kLeast_m = 1.0e-6;  // of the distance before the camera, as in the shader
     SeenDepths depths;

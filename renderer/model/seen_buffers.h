@@ -25,6 +25,9 @@ struct SeenBuffers {
     /// Three code values a pixel, of a format with fewer the rest is 0; empty: none is read.
     std::vector<std::uint16_t> normal;
     std::string normal_format = "rgb8";  ///< of Variant::normal_format
+    std::string position = "similar-triangles";  ///< of Variant::position
+    /// Where it is stored: the points' components; empty: they are rebuilt.
+    std::vector<float> position_m;
     /// The second layer's depth, of every so many columns and rows; empty: there is none.
     std::vector<float> second_m;
     int second_step = 1;
@@ -51,7 +54,8 @@ struct SeenBuffers {
         };
         return width == other.width && height == other.height && samples == other.samples &&
                depth_m == other.depth_m && empty == other.empty && normal == other.normal &&
-               normal_format == other.normal_format && second_m == other.second_m &&
+               normal_format == other.normal_format && position == other.position &&
+               position_m == other.position_m && second_m == other.second_m &&
                second_step == other.second_step && view(camera) == view(other.camera);
     }
 };
@@ -86,6 +90,9 @@ class SeenView {
     [[nodiscard]] ImagePoint place_of(int x, int y) const;
     /// The view-space ray through a place, with z = -1.
     [[nodiscard]] Rounded3 ray(const ImagePoint& place) const;
+    /// The point of a pixel's surface, as the variant's `position` says, and the ray through it.
+    [[nodiscard]] Rounded3 point(int x, int y) const;
+    [[nodiscard]] Rounded3 ray_to(int x, int y) const;
     /// Depths where a view-space point falls; very far behind the camera and outside the image.
     [[nodiscard]] SeenDepths depths_at(const Rounded3& point) const;
     [[nodiscard]] SeenDepths depths_at(const ImagePoint& place) const;

@@ -9,8 +9,17 @@
 
 layout(location = 0) out float o_accessibility;
 
+#ifdef FRAMES_BEFORE
+uniform sampler2D t_history;  // the mean of the frames before
+#endif
+
 void main() {
     vec2 uv = gl_FragCoord.xy / u_size;
     float z = texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).r;
-    o_accessibility = z >= kBackgroundLimit_m ? 1.0 : accessibility(uv, z);
+    float open = z >= kBackgroundLimit_m ? 1.0 : accessibility(uv, z);
+#ifdef FRAMES_BEFORE
+    float before = texelFetch(t_history, ivec2(gl_FragCoord.xy), 0).r;
+    open = before + (open - before) * (1.0 / (FRAMES_BEFORE + 1.0));
+#endif
+    o_accessibility = open;
 }

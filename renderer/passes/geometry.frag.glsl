@@ -11,7 +11,9 @@
 uniform float u_alpha_cutoff;
 #endif
 
+#ifdef ALBEDO
 layout(location = 0) out vec4 o_albedo;
+#endif
 #ifdef NORMAL
 layout(location = 1) out vec4 o_normal;
 #endif
@@ -21,6 +23,9 @@ layout(location = 2) out float o_depth_m;
 #ifdef EMISSION
 layout(location = 3) out vec4 o_emission;
 #endif
+#ifdef POSITION
+layout(location = 4) out vec4 o_position_m;
+#endif
 
 void main() {
 #ifdef DEPTH
@@ -29,11 +34,18 @@ void main() {
 #ifdef CUT_OUT
     if (surface_alpha() < u_alpha_cutoff) discard;
 #endif
+#ifdef ALBEDO
     vec3 albedo = surface_albedo();
     vec2 specular = surface_specular(albedo);
     o_albedo = vec4(albedo, specular.x);
+#else
+    vec2 specular = vec2(0.0);  // an ND-buffer is not lit
+#endif
 #ifdef NORMAL
     o_normal = vec4(encode_normal(surface_normal()), specular.y / 255.0);
+#endif
+#ifdef POSITION
+    o_position_m = vec4(v_view_position, 0.0);
 #endif
 #ifdef DEPTH
     o_depth_m = depth_m;

@@ -15,6 +15,9 @@ layout(location = 0) out float o_depth_m;
 #ifdef NORMAL
 layout(location = 1) out vec4 o_normal;
 #endif
+#ifdef POSITION
+layout(location = 2) out vec4 o_position_m;
+#endif
 
 void main() {
     float depth_m = depth_of_sample(v_view_position);
@@ -24,6 +27,9 @@ void main() {
     if (surface_alpha() < u_alpha_cutoff) discard;
 #endif
     o_depth_m = depth_m;
+#ifdef POSITION
+    o_position_m = vec4(v_view_position, 0.0);
+#endif
 #ifdef NORMAL
     o_normal = vec4(encode_normal(surface_normal()), u_specular_power / 255.0);
 #endif

@@ -18,6 +18,10 @@ uniform sampler2D t_normal;
 #endif
 layout(location = 1) out vec4 o_normal;
 #endif
+#ifdef POSITION_KEPT
+uniform sampler2D t_position;
+layout(location = 2) out vec4 o_position_m;
+#endif
 
 float depth_of(ivec2 texel) {
 #ifdef DEPTH_REBUILT
@@ -48,6 +52,9 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy) * STEP;
     gl_FragDepth = texelFetch(t_visibility, texel, 0).r;
     o_depth_m = depth_of(texel);
+#ifdef POSITION_KEPT
+    o_position_m = texelFetch(t_position, texel, 0);
+#endif
 #ifdef NORMAL
 #ifdef NORMAL_REBUILT
     vec3 here = point_of(texel);

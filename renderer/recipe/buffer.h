@@ -38,6 +38,9 @@ struct Target {
     static inline const Buffer kNormal{"normal", "rgba8", Extent::kSamples};
     /// Positive view distance in metres; where empty, kBackgroundDepth_m, in 16 bits infinity.
     static inline const Buffer kDepth{"depth", "r32f", Extent::kSamples};
+    /// The surface's point in view space, metres, for a technique that does not rebuild it from
+    /// depth; in as many bits a component as the depth.
+    static inline const Buffer kPosition{"position", "rgba32f", Extent::kSamples};
     /// Which triangle is in front, and which pixels are empty.
     static inline const Buffer kVisibility{"visibility", "depth24", Extent::kSamples};
     /// One layer a directional light.
@@ -50,11 +53,13 @@ struct Target {
     /// pixel, nearly opaque blended surfaces in it on demand.
     static inline const Buffer kOccluderDepth{"occluder depth", "r32f"};
     static inline const Buffer kOccluderNormal{"occluder normal", "rgba8"};
+    static inline const Buffer kOccluderPosition{"occluder position", "rgba32f"};
     static inline const Buffer kOccluderVisibility{"occluder visibility", "depth24"};
     /// Of those, what a technique at a lower scale or with formats of its own sees: every so many
     /// columns and rows, from the first.
     static inline const Buffer kSeenDepth{"seen depth", "r32f"};
     static inline const Buffer kSeenNormal{"seen normal", "rgba8"};
+    static inline const Buffer kSeenPosition{"seen position", "rgba32f"};
     static inline const Buffer kSeenVisibility{"seen visibility", "depth24"};
     /// The nearest surface that lies a least distance behind the first, in m; kBackgroundDepth_m
     /// where there is none.

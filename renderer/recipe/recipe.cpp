@@ -38,12 +38,13 @@ int fetches_per_pixel(const Recipe& recipe) {
     for (const Step& step : recipe.steps) {
         const Buffer* own = recipe.find_buffer(step.writes);
         const Buffer written = own != nullptr ? *own : Buffer{};
+        const int runs = step.frame < 0 ? recipe.frames : 1;
         for (int level = step.first_level; level < step.end_level(written.levels); ++level) {
             const double scale = static_cast<double>(written.scale) * std::pow(0.5, level);
-            sum += step.fetches * scale * scale * written.layers;
+            sum += step.fetches * scale * scale * written.layers * runs;
         }
     }
-    return static_cast<int>(std::ceil(sum * recipe.frames));
+    return static_cast<int>(std::ceil(sum));
 }
 
 }  // namespace obscura::renderer

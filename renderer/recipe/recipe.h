@@ -65,7 +65,8 @@ enum class Cover {
 struct Step {
     std::string name;    ///< in plans and timings, where neighbours of one name count as one
     std::string shader;  ///< path below renderer/
-    /// Buffers of the recipe, `depth`, `normal`, `accessibility` (of a filter), `colour` (of a
+    /// Buffers of the recipe, `depth`, `normal`, `position` (bound where the variant stores it; the
+    /// shader takes points from passes/view.glsl), `accessibility` (of a filter), `colour` (of a
     /// technique that makes colour), `history`, or tables of the recipe. A buffer that the step
     /// itself writes is seen at the level above the one that is drawn.
     std::vector<Read> reads;
@@ -75,10 +76,13 @@ struct Step {
     Cover cover = Cover::kSurfaces;
     int first_level = 0;  ///< of the levels that it draws
     int levels = 0;       ///< how many of them; 0: to the last
+    int frame = -1;       ///< of the recipe's frames that it is run in; below 0: in each
     /// In place of a shader: computed on the processor, from buffers that are read back, and
     /// uploaded. It writes a buffer of the image's size in one component.
     ProcessorStep processor = nullptr;
 
+    /// Whether it is run in that frame.
+    [[nodiscard]] bool is_in(int of_frame) const { return frame < 0 || frame == of_frame; }
     /// Whether it reads a buffer or table of that name.
     [[nodiscard]] bool reads_buffer(std::string_view name) const;
     /// The level behind the last that is drawn of a buffer with so many.

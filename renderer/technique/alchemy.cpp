@@ -1,13 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "renderer/technique/disc.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/slices.h"
 
 namespace obscura::renderer {
 namespace {
 
 Recipe recipe_of(const Variant& variant) {
-    return disc_recipe(variant, "technique/alchemy.glsl", 1);
+    Recipe recipe = disc_recipe(variant, "technique/alchemy.glsl", 1);
+    Step& step = recipe.steps.front();
+    step.reads.emplace_back(Target::kPosition);
+    // Of every sample too.
+    if (variant.position == "stored") step.fetches += samples_of_frame(variant);
+    return recipe;
 }
 
 }  // namespace

@@ -26,16 +26,20 @@ class AlchemyModel {
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const Rounded z(buffers_.depth_at(x, y));
-        const Rounded3 ray = disc_.view().ray(disc_.view().place_of(x, y));
-        const Rounded3 n = disc_.view().normal(x, y);
+        const SeenView& view = disc_.view();
+        const bool rebuilt = buffers_.position == "similar-triangles";
+        const Rounded3 ray = view.ray(view.place_of(x, y));
+        const Rounded3 p = view.point(x, y);
+        const Rounded3 n = view.normal(x, y);
         const auto worth = [&](int at_x, int at_y) {
             const float seen_m = buffers_.depth_at(at_x, at_y);
             if (seen_m >= kBackgroundLimit_m) return Rounded(0.0);
             const Rounded there(seen_m);
-            const Rounded scale = disc_.view().pixel() * there;
-            const Rounded3 v =
-                Rounded3{Rounded(at_x - x) * scale, Rounded(at_y - y) * scale, Rounded(0.0)} +
-                ray * (there - z);
+            const Rounded scale = view.pixel() * there;
+            const Rounded3 v = rebuilt ? Rounded3{Rounded(at_x - x) * scale,
+                                                  Rounded(at_y - y) * scale, Rounded(0.0)} +
+                                             ray * (there - z)
+                                       : view.point(at_x, at_y) + -p;
             const Rounded squared = dot(v, v);
             // A sum of squares is not negative, whatever its rounding.
             const Rounded divisor =

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/slices_model.h"
 
 namespace obscura::renderer {
@@ -67,7 +68,7 @@ class BitmaskModel {
         const Fan fan = fan_of_slices(variant);
         tile_ = turn_tile(fan.sector_rad, variant.noise);
         steps_ = fan.steps;
-        directions_ = fan_turns(fan);
+        directions_ = part_of(fan_turns(fan), variant);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

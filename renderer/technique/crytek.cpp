@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/technique.h"
 
@@ -25,6 +26,8 @@ std::map<Ideal, std::string> crytek_nature() {
 
 /// The corners of the unit cube, normalised, in rounds of eight; each 1 + 2.4/N times as long as
 /// the one before.
+constexpr int kCorners = 8;  // of a cube: a round of samples
+
 std::vector<glm::vec3> offsets(int samples) {
     std::vector<glm::vec3> list;
     double length = 1.0 / std::sqrt(3.0);
@@ -41,8 +44,10 @@ Recipe recipe_of(const Variant& variant) {
     recipe.tables = {rotation_table(variant.noise)};
     // Each sample's depth; the pixel's own depth and rotation.
     recipe.steps = {accessibility_step(variant, "technique/crytek.glsl",
-                                       {Target::kDepth, "rotations"}, variant.samples + 2)};
-    recipe.steps.front().defines.push_back(points_define(offsets(variant.samples)));
+                                       {Target::kDepth, "rotations"},
+                                       samples_of_frame(variant) + 2)};
+    recipe.steps.front().defines.push_back(
+        points_define(part_of(offsets(variant.samples), variant, kCorners)));
     return recipe;
 }
 
@@ -53,7 +58,7 @@ Technique crytek_technique() {
     technique.name = "crytek";
     technique.variant = "Crytek";
     technique.citation = "Jakobsen 2010, Appendix A, after Kajalin 2009 (ShaderX7)";
-    technique.samples = {8, 128, 24, 8};
+    technique.samples = {kCorners, 128, 24, kCorners};
     technique.parameters = {
         {"offset_scale",
          "Length of the offsets before the first sample; each sample multiplies it by 1 + 2.4/N",

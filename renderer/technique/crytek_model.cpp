@@ -8,6 +8,7 @@
 #include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/crytek.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/technique.h"
 
@@ -55,13 +56,14 @@ class CrytekModel {
         : buffers_(buffers),
           view_(buffers),
           far_m_(buffers.camera.far_m),
-          samples_(variant.samples),
+          samples_(samples_of_frame(variant)),
           clamped_(!variant.unclamped) {
         const Parameter& scale = *find_technique(variant.technique)->find_parameter("offset_scale");
         const Tile<glm::vec3> tile = rotation_tile(variant.noise);
         offsets_.size = tile.size;
         for (const glm::vec3& r : tile) {
-            offsets_.values.push_back(offsets_about(r, samples_, variant.value_of(scale)));
+            const Offsets all = offsets_about(r, variant.samples, variant.value_of(scale));
+            offsets_.values.push_back(part_of(all, variant, 8));
         }
     }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/slices.h"
 
@@ -28,9 +29,9 @@ Recipe disc_recipe(const Variant& variant, const std::string& shader, int reads_
     recipe.tables = {turn_table(2.0 * std::numbers::pi, variant.noise)};
     // Each sample's texels; the pixel's own depth, normal and turn.
     Step step = accessibility_step(variant, shader, {Target::kDepth, Target::kNormal, "turns"},
-                                   reads_per_sample * variant.samples + 3);
+                                   reads_per_sample * samples_of_frame(variant) + 3);
     std::string points;
-    for (const DiscPoint& point : disc_kernel(variant.samples)) {
+    for (const DiscPoint& point : part_of(disc_kernel(variant.samples), variant)) {
         points +=
             fmt::format("{}vec2({:.9e}, {:.9e})", points.empty() ? "" : ", ", point.x, point.y);
     }

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 
 namespace obscura::renderer {
 
 DiscModel::DiscModel(const SeenBuffers& buffers, const Variant& variant)
     : buffers_(buffers),
       view_(buffers),
-      kernel_(disc_kernel(variant.samples)),
+      kernel_(part_of(disc_kernel(variant.samples), variant)),
       tile_(turn_tile(2.0 * std::numbers::pi, variant.noise)) {
     const Technique& technique = *find_technique(variant.technique);
     const auto value = [&](const char* name) {

@@ -5,6 +5,7 @@
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/gtao.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/slices_model.h"
 
 namespace obscura::renderer {
@@ -26,7 +27,7 @@ class GtaoModel {
         const Fan fan = fan_of_slices(variant);
         tile_ = turn_tile(fan.sector_rad, variant.noise);
         steps_ = fan.steps;
-        directions_ = fan_turns(fan);
+        directions_ = part_of(fan_turns(fan), variant);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

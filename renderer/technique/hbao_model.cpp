@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/slices_model.h"
 
 namespace obscura::renderer {
@@ -33,7 +34,7 @@ class HbaoModel {
         const Fan fan = fan_of_directions(variant);
         tile_ = turn_tile(fan.sector_rad, variant.noise);
         steps_ = fan.steps;
-        directions_ = fan_turns(fan);
+        directions_ = part_of(fan_turns(fan), variant);
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "renderer/technique/disc.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/slices.h"
 
@@ -20,8 +21,10 @@ Recipe recipe_of(const Variant& variant) {
     recipe.tables = {rotation_table(variant.noise)};
     Step step =
         accessibility_step(variant, "technique/hemisphere.glsl",
-                           {Target::kDepth, Target::kNormal, "rotations"}, variant.samples + 3);
-    step.defines.push_back(points_define(hemisphere_kernel(variant.samples, shortest)));
+                           {Target::kDepth, Target::kPosition, Target::kNormal, "rotations"},
+                           samples_of_frame(variant) + 3);
+    step.defines.push_back(
+        points_define(part_of(hemisphere_kernel(variant.samples, shortest), variant)));
     step.defines.push_back(fmt::format("p_shortest {:.9e}", shortest));
     recipe.steps = {step};
     return recipe;

@@ -26,7 +26,7 @@ float hidden(vec3 s, float z) {
 }
 
 float accessibility(vec2 uv, float z) {
-    vec3 p = view_ray(uv) * z;
+    vec3 p = point_at(uv, ivec2(gl_FragCoord.xy), z);
     vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     mat3 frame = tangent_frame(n, random_vector());
     float sum = 0.0;

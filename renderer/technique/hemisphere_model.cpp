@@ -9,6 +9,7 @@
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/point_model.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
@@ -67,15 +68,14 @@ class HemisphereModel {
         bias_m_ = nearest_float(value("bias")) * radius_m_;
         range_check_ = value("range_check") >= 0.5;
         power_ = nearest_float(value("power"));
-        for (const glm::vec3& point : hemisphere_kernel(variant.samples, value("shortest"))) {
-            kernel_.push_back(rounded(point));
-        }
+        const auto kernel = hemisphere_kernel(variant.samples, value("shortest"));
+        for (const glm::vec3& point : part_of(kernel, variant)) kernel_.push_back(rounded(point));
     }
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const int reads = static_cast<int>(kernel_.size());
         const Rounded z(buffers_.depth_at(x, y));
-        const Rounded3 p = view_.ray(view_.place_of(x, y)) * z;
+        const Rounded3 p = view_.point(x, y);
         const glm::vec3& r = tile_.at(x, y);
         const std::optional<Frame3> frame = tangent_frame(view_.normal(x, y), rounded(r));
         if (!frame) return {0.5, 0.0, 1.0, reads};

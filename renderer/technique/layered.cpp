@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/technique/bitmask.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/slices.h"
 
 namespace obscura::renderer {
@@ -18,7 +19,7 @@ Recipe recipe_of(const Variant& variant) {
     recipe.second_halvings = static_cast<int>(value("second_halvings"));
     Step& step = recipe.steps.front();
     step.reads.emplace_back(Target::kSecondDepth);
-    step.fetches += variant.samples;
+    step.fetches += samples_of_frame(variant);
     step.defines.push_back(fmt::format("LAYER_SHIFT {}", recipe.second_halvings));
     // What these say is in the second layer.
     for (const char* name : {"separation", "second_halvings"}) {

@@ -17,7 +17,7 @@ float march_accessibility(vec3 p, vec3 offset_m, float z) {
 }
 
 float accessibility(vec2 uv, float z) {
-    vec3 p = view_ray(uv) * z;
+    vec3 p = point_at(uv, ivec2(gl_FragCoord.xy), z);
     vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     vec3 r = random_vector();
     float sum = 0.0;

@@ -9,6 +9,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 
 namespace obscura::renderer {
 
@@ -75,8 +76,13 @@ Step accessibility_step(const Variant& variant, const std::string& shader,
                         const std::vector<Read>& reads, int fetches) {
     Step step{"accessibility", shader, reads, Target::kAccessibility.name, {}, fetches};
     const int tile = variant.noise == "tile4x4" ? kTileSize : noise_tile(variant.noise).size;
-    step.defines = {"SAMPLES " + std::to_string(variant.samples),
+    step.defines = {"SAMPLES " + std::to_string(samples_of_frame(variant)),
                     "NOISE_SIZE " + std::to_string(tile)};
+    if (variant.position == "stored") {
+        step.defines.emplace_back("POSITION_STORED");
+        ++step.fetches;
+    }
+    if (variant.position == "inverse-projection") step.defines.emplace_back("POSITION_INVERSE");
     if (variant.unclamped) step.defines.emplace_back("UNCLAMPED");
     return step;
 }

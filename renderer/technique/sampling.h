@@ -29,7 +29,8 @@ namespace obscura::renderer {
 [[nodiscard]] std::string points_define(const std::vector<glm::vec3>& points);
 
 /// A step that writes accessibility by a shader that ends in passes/accessibility.glsl, with the
-/// number of samples as the define SAMPLES and the side of its noise's tile as NOISE_SIZE.
+/// number of a frame's samples as the define SAMPLES, the side of its noise's tile as NOISE_SIZE,
+/// and what passes/view.glsl reads of Variant::position.
 [[nodiscard]] Step accessibility_step(const Variant& variant, const std::string& shader,
                                       const std::vector<Read>& reads, int fetches);
 

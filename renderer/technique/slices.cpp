@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
@@ -82,16 +83,18 @@ std::vector<Turn> fan_turns(const Fan& fan) {
 }
 
 Recipe fan_recipe(const Variant& variant, const std::string& shader, const Fan& fan) {
+    const std::vector<Turn> part = part_of(fan_turns(fan), variant);
     std::string turns;
-    for (const Turn& turn : fan_turns(fan)) {
+    for (const Turn& turn : part) {
         turns += fmt::format("{}vec2({:.9e}, {:.9e})", turns.empty() ? "" : ", ", turn.cosine,
                              turn.sine);
     }
     Recipe recipe;
     recipe.tables = {turn_table(fan.sector_rad, variant.noise)};
-    Step step = accessibility_step(variant, shader, {Target::kDepth, Target::kNormal, "turns"},
-                                   variant.samples + 3);
-    step.defines.push_back(fmt::format("FAN_COUNT {}", fan.count));
+    Step step = accessibility_step(variant, shader,
+                                   {Target::kDepth, Target::kPosition, Target::kNormal, "turns"},
+                                   samples_of_frame(variant) + 3);
+    step.defines.push_back(fmt::format("FAN_COUNT {}", part.size()));
     // What the parameter says is in the program's loop.
     step.defines.push_back(fmt::format("FAN_STEPS {}", fan.steps));
     step.defines.push_back(fmt::format("p_{} {}", slice_steps().name, fan.steps));

@@ -29,7 +29,7 @@ Surface surface_at(vec2 uv, float z) {
     Surface p;
     p.px = gl_FragCoord.xy;
     p.z = z;
-    p.ray = view_ray(uv);
+    p.ray = ray_to(uv, ivec2(gl_FragCoord.xy), z);
     p.length = sqrt(dot(p.ray, p.ray));
     p.n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     p.facing = max(-dot(p.n, p.ray) / p.length, kLeastCosine);

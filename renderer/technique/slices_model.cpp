@@ -81,7 +81,7 @@ SliceSurface SlicesModel::surface(int x, int y) const {
     p.x = x;
     p.y = y;
     p.z = Rounded(buffers_.depth_at(x, y));
-    p.ray = view_.ray(view_.place_of(x, y));
+    p.ray = view_.ray_to(x, y);
     p.length = sqrt(dot(p.ray, p.ray));
     p.normal = view_.normal(x, y);
     p.facing = max(-(dot(p.normal, p.ray) / p.length), nearest_float(1.0e-3));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/slices.h"
 
@@ -32,7 +33,8 @@ Recipe recipe_of(const Variant& variant) {
     recipe.tables = {rotation_table(variant.noise)};
     Step step =
         accessibility_step(variant, "technique/starcraft2.glsl",
-                           {Target::kDepth, Target::kNormal, "rotations"}, variant.samples + 3);
+                           {Target::kDepth, Target::kPosition, Target::kNormal, "rotations"},
+                           samples_of_frame(variant) + 3);
     if (halvings > 0) {
         recipe.buffers = {
             {"small depth", "r32f", Extent::kPixels, 1.0F / static_cast<float>(1 << halvings)}};
@@ -58,6 +60,20 @@ Recipe recipe_of(const Variant& variant) {
 
 }  // namespace
 
+namespace {
+
+/// The part of a set that the variant's frame takes; at least one point, so that no frame goes
+/// without one of the two radii.
+std::vector<WeightedPoint> frame_of(const std::vector<WeightedPoint>& set, const Variant& variant) {
+    std::vector<WeightedPoint> part = part_of(set, variant);
+    if (part.empty() && !set.empty()) {
+        part.push_back(set[static_cast<std::size_t>(variant.frame) % set.size()]);
+    }
+    return part;
+}
+
+}  // namespace
+
 Starcraft2Points starcraft2_points(const Variant& variant) {
     constexpr std::size_t kEvery = 4;
     const double exponent = value_of(variant, "distance_weight");
@@ -70,6 +86,7 @@ Starcraft2Points starcraft2_points(const Variant& variant) {
         set.push_back({kernel[i], std::pow(length, exponent)});
     }
     for (auto* set : {&points.wide, &points.small}) {
+        *set = frame_of(*set, variant);
         double sum = 0.0;
         for (const WeightedPoint& point : *set) sum += point.weight;
         for (WeightedPoint& point : *set) point.weight /= sum;

@@ -51,7 +51,7 @@ float sample_occlusion(vec3 p, vec3 point, vec3 r, vec3 n, float radius_m, float
 }
 
 float accessibility(vec2 uv, float z) {
-    vec3 p = view_ray(uv) * z;
+    vec3 p = point_at(uv, ivec2(gl_FragCoord.xy), z);
     vec3 n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     vec3 r = random_vector();
     float radius_m = min(p_radius_m, p_footprint * 2.0 * u_ray_scale.y * z);

@@ -57,7 +57,7 @@ class Starcraft2Model {
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const Rounded z(buffers_.depth_at(x, y));
-        const Place place{view_.ray(view_.place_of(x, y)) * z, view_.normal(x, y), tile_.at(x, y)};
+        const Place place{view_.point(x, y), view_.normal(x, y), tile_.at(x, y)};
         const Rounded height = view_.pixel() * Rounded(buffers_.height);
         Rounded radius_m = min(radius_m_, footprint_ * height * z);
         Bounded occluded = occlusion_of(points_.wide, place, radius_m, power_);

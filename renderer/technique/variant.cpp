@@ -6,9 +6,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "renderer/denoise/denoise.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
@@ -66,6 +68,8 @@ void check_denoise(const Technique& technique, const std::string& denoise, Probl
 /// Why a technique does not have an option; empty where it has.
 std::string why_without(const Technique& technique, const std::string& option,
                         const std::string& value) {
+    if (option == "pipeline") return "";
+    if (option == "frames") return why_not_progressive(technique);
     if (option == "depth_format") {
         const bool starts_rays = technique.ray_traced && !technique.is_truth();
         if (!starts_rays) return "";
@@ -75,7 +79,27 @@ std::string why_without(const Technique& technique, const std::string& option,
     if (!technique.makes_accessibility()) return "has no buffer of accessibility";
     if (technique.is_truth()) return "is the truth, which is shown as it is";
     if (option == "noise" && technique.ray_traced) return "has points of its own for its rays";
+    if (option == "position" && technique.ray_traced) return "starts its rays from the depth";
+    if (option == "position" && !technique.standard_recipe().reads(Target::kPosition)) {
+        return "works in the image and needs no points of view space";
+    }
     return "";
+}
+
+/// Whether every frame can have as many samples.
+void check_frames(const Technique& technique, const Variant& variant, Problems& problems) {
+    const int frames = frames_of(variant);
+    if (!why_not_progressive(technique).empty()) return;
+    const int multiple = multiple_of(technique, variant);
+    if (variant.samples % (frames * multiple) == 0 &&
+        variant.samples / frames >= technique.samples.low) {
+        return;
+    }
+    problems.push_back(
+        {"frames",
+         fmt::format("{} is not allowed with {} samples: frames share them evenly, each at "
+                     "least {}, and {} takes multiples of {} a frame",
+                     frames, variant.samples, technique.samples.low, technique.name, multiple)});
 }
 
 void check_options(const Variant& variant, Problems& problems) {
@@ -89,6 +113,7 @@ void check_options(const Variant& variant, Problems& problems) {
             continue;
         }
         if (value == option.standard()) continue;
+        if (option.name == "frames") check_frames(technique, variant, problems);
         const std::string why = why_without(technique, option.name, value);
         if (why.empty()) continue;
         problems.push_back(
@@ -137,6 +162,22 @@ const std::vector<VariantOption>& variant_options() {
          &Variant::ao_scale,
          true},
         {"ao_format", "How accessibility is stored", {"r32f", "r16f", "r8"}, &Variant::ao_format},
+        {"position",
+         "How points of view space come about: from the depth by similar triangles, from it "
+         "through the inverse of the projection, or stored in place of it in as many bits a "
+         "component",
+         {"similar-triangles", "inverse-projection", "stored"},
+         &Variant::position},
+        {"frames",
+         "Progressive: the kernel is spread over that many frames, whose mean is shown",
+         {"1", "2", "3", "4", "6", "8", "12", "16"},
+         &Variant::frames,
+         true},
+        {"pipeline",
+         "g-buffer: surfaces are drawn once and lit from buffers; nd-buffer: normal and depth "
+         "first, then surfaces once more, lit as they are drawn",
+         {"g-buffer", "nd-buffer"},
+         &Variant::pipeline},
     };
     return list;
 }
@@ -159,6 +200,12 @@ bool same_options(const Variant& a, const Variant& b) {
 
 int ao_step(const Variant& variant) {
     return variant.ao_scale == "0.25" ? 4 : variant.ao_scale == "0.5" ? 2 : 1;
+}
+
+int frames_of(const Variant& variant) {
+    int frames = 1;
+    std::from_chars(variant.frames.data(), variant.frames.data() + variant.frames.size(), frames);
+    return std::max(frames, 1);
 }
 
 const VariantOption* find_option(std::string_view name) {
@@ -243,7 +290,7 @@ int fetches_per_pixel(const Variant& variant) {
     const Denoise* denoise = find_denoise(variant.denoise);
     if (technique == nullptr || technique->recipe == nullptr) return 0;
     const int filter = denoise != nullptr ? fetches_per_pixel(denoise->recipe) : 0;
-    return fetches_per_pixel(technique->recipe(variant)) + filter;
+    return fetches_per_pixel(recipe_of(*technique, variant)) + filter;
 }
 
 std::vector<VariantProblem> problems_of(const Variant& variant) {

@@ -26,6 +26,10 @@ struct Variant {
     std::string noise = "tile4x4";
     std::string ao_scale = "1";
     std::string ao_format = "r32f";
+    std::string position = "similar-triangles";
+    std::string frames = "1";
+    std::string pipeline = "g-buffer";
+    int frame = 0;           ///< of `frames`: whose part of the kernel a recipe or a model is of
     bool unclamped = false;  ///< for checks: what is not a number is not clamped away at the end
 
     /// As in the thesis: technique and samples, `Blizzard24`; `None` where there are no samples.
@@ -64,6 +68,9 @@ struct VariantOption {
 /// Which of the image's columns and rows a technique computes accessibility for: every first,
 /// second or fourth, as `ao_scale` says.
 [[nodiscard]] int ao_step(const Variant& variant);
+
+/// How many frames share the kernel (Sunet 2018, 4.10): technique/progressive.h.
+[[nodiscard]] int frames_of(const Variant& variant);
 
 /// The option of that name, or nullptr.
 [[nodiscard]] const VariantOption* find_option(std::string_view name);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 
 namespace obscura::renderer {
@@ -45,11 +46,11 @@ Recipe view_space_recipe(const Variant& variant, const std::string& shader, int 
     Recipe recipe;
     recipe.tables = {rotation_table(variant.noise)};
     // Each sample's depths; the pixel's own depth, normal and rotation.
-    recipe.steps = {accessibility_step(variant, shader,
-                                       {Target::kDepth, Target::kNormal, "rotations"},
-                                       variant.samples * depths_per_sample + 3)};
+    recipe.steps = {accessibility_step(
+        variant, shader, {Target::kDepth, Target::kPosition, Target::kNormal, "rotations"},
+        samples_of_frame(variant) * depths_per_sample + 3)};
     std::vector<std::string>& defines = recipe.steps.front().defines;
-    defines.push_back(points_define(ball_kernel(variant.samples)));
+    defines.push_back(points_define(part_of(ball_kernel(variant.samples), variant)));
     if (const std::optional<int> squarings = squarings_of(variant)) {
         defines.push_back(fmt::format("p_power {:.1f}", std::ldexp(1.0, *squarings)));
         defines.push_back(fmt::format("SQUARINGS {}", *squarings));

@@ -7,6 +7,7 @@
 
 #include "renderer/model/seen_buffers.h"
 #include "renderer/passes/shared_constants.h"
+#include "renderer/technique/progressive.h"
 #include "renderer/technique/sampling.h"
 #include "renderer/technique/view_space.h"
 
@@ -67,7 +68,7 @@ class ViewSpaceModel {
         : buffers_(buffers),
           view_(buffers),
           curve_(variant),
-          samples_(variant.samples),
+          samples_(samples_of_frame(variant)),
           steps_(steps) {
         const auto vector = [](const glm::vec3& v) {
             return Rounded3{Rounded(v.x), Rounded(v.y), Rounded(v.z)};
@@ -76,7 +77,7 @@ class ViewSpaceModel {
         directions_.size = tile.size;
         for (const glm::vec3& r : tile) {
             std::vector<Rounded3>& directions = directions_.values.emplace_back();
-            for (const glm::vec3& point : ball_kernel(samples_)) {
+            for (const glm::vec3& point : part_of(ball_kernel(variant.samples), variant)) {
                 directions.push_back(reflect(vector(point), vector(r)));
             }
         }
@@ -84,7 +85,7 @@ class ViewSpaceModel {
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const Rounded z(buffers_.depth_at(x, y));
-        const Rounded3 p = view_.ray(view_.place_of(x, y)) * z;
+        const Rounded3 p = view_.point(x, y);
         const Rounded3 n = view_.normal(x, y);
         Worth sum;
         for (const Rounded3& direction : directions_.at(x, y)) {

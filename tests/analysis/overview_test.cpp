@@ -47,6 +47,16 @@ TEST(Overview, WithoutAYardstickThereAreNoRatiosAndTheCellsAreEmpty) {
     EXPECT_THAT(overview_chart(rows).script, HasSubstr("plot NaN"));
 }
 
+TEST(Overview, HardCasesThatHoldStandBesideAllAndThoseThatFailByNature) {
+    std::vector<OverviewRow> rows = some_rows();
+    rows[0].hard_held = 210;
+    rows[0].hard_by_nature = 26;
+    rows[0].hard_rows = 236;
+    EXPECT_THAT(overview_text(rows), HasSubstr("210/236, 26 by nature"));
+    EXPECT_THAT(overview_csv(rows), HasSubstr(",210,26,236,0.16,"));
+    EXPECT_THAT(overview_csv(rows), HasSubstr(",,,,0.09,")) << "where none was run";
+}
+
 TEST(Overview, OnTheFrontIsWhatNoOtherRowBeatsAndNeverARowWithoutError) {
     const std::vector<OverviewRow> rows = some_rows();
     EXPECT_FALSE(rows[0].on_front);
@@ -72,7 +82,8 @@ TEST(Overview, TheChartDrawsEveryRowThatHasAPlaceOnceAndSpansThem) {
     ASSERT_EQ(chart.data.size(), 1U);
     const std::string& data = chart.data[0].text;
     EXPECT_THAT(data, HasSubstr("0.75\t0.09"));
-    EXPECT_THAT(data, Not(HasSubstr("Unsharp"))) << "it has no error";
+    EXPECT_THAT(chart.script, Not(HasSubstr("Unsharp"))) << "it has no error";
+    EXPECT_THAT(chart.script, HasSubstr("set label \"Gtao16\""));
     EXPECT_THAT(chart.script, HasSubstr("logscale x"));
     // From 0.5 to 1.25 of the yardstick, and from 0.09 to 0.25.
     EXPECT_THAT(chart.script, HasSubstr("set xrange [0.41666"));

@@ -122,6 +122,7 @@ TEST_F(BufferOptions, EveryOptionMakesAnImageWithSeveralSamplesAPixelToo) {
         for (const std::string& word : option.allowed) {
             Variant choice = choice_of("layered", "separable");
             choice.*option.value = word;
+            if (!problems_of(choice).empty()) continue;  // of 16 samples in slices of 8
             const Frame frame = render(plate_over_floor(), choice, 41, 23, 2);
             const std::vector<float> open = frame.read_accessibility();
             ASSERT_EQ(open.size(), 41U * 23U) << option.name << ' ' << word;

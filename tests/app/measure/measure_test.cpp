@@ -158,7 +158,8 @@ TEST_F(InterruptedMeasure, MeasuresAgainWhatWasDamagedMeanwhile) {
 }
 
 TEST_F(Measure, APapersExperimentHasARowForEachSettingAndJudgesEachConclusion) {
-    for (const std::string name : {"sunet-5.6", "sunet-5.8"}) {
+    for (const std::string name :
+         {"sunet-5.2", "sunet-5.5", "sunet-5.6", "sunet-5.8", "sunet-5.9"}) {
         const Experiment& experiment = *find_experiment(name);
         MeasureRequest request = small_request();
         request.samples = {};
