@@ -23,9 +23,10 @@ namespace {
 
 constexpr double kLivelyWait_s = 1.0 / 60.0;
 constexpr double kIdleWait_s = 0.25;
-constexpr double kGamepadWait_s = 0.04;
-/// While an image is rendered, drawing the window more often would take the time from it.
-constexpr double kWindowEvery_s = 0.033;
+constexpr double kSoonWait_s = 0.04;
+/// While an image is rendered on the processor, drawing the window takes the time from it: it waits
+/// for the image, but not longer than this.
+constexpr double kWindowEvery_s = 0.1;
 
 [[nodiscard]] Remembered remembered_for(const ExploreOptions& options) {
     if (options.reset) return {};
@@ -200,14 +201,19 @@ void Explorer::draw(Desk& desk) {
     help_window(desk);
 }
 
+double Explorer::longest_wait_s() const {
+    const bool lively =
+        keys_held_ || view_.dragging() || model_.layout().arrangement == Arrangement::kFlicker;
+    if (lively) return kLivelyWait_s;
+    // The image at rest is asked for soon after the last change.
+    if (has_gamepad() || model_.moving(window_.now_s())) return kSoonWait_s;
+    return kIdleWait_s;
+}
+
 bool Explorer::step() {
-    const bool lively = keys_held_ || view_.dragging() || renderer_.busy() ||
-                        model_.moving(window_.now_s()) ||
-                        model_.layout().arrangement == Arrangement::kFlicker;
     window_.set_text_scale(state_.text_scale);
-    const double idle_s = has_gamepad() ? kGamepadWait_s : kIdleWait_s;
     const bool shares = software_ && renderer_.busy() && !renderer_.has_answers();
-    window_.begin_frame(lively ? kLivelyWait_s : idle_s, shares ? frame_s_ + kWindowEvery_s : 0.0,
+    window_.begin_frame(longest_wait_s(), shares ? frame_s_ + kWindowEvery_s : 0.0,
                         [this] { return renderer_.has_answers(); });
     const std::optional<double> first_input_s = window_.first_input_s();
     const double now_s = window_.now_s();
@@ -223,25 +229,32 @@ bool Explorer::step() {
     draw(desk);
     keys_held_ = keyboard_and_gamepad(desk, now_s - frame_s_);
     frame_s_ = now_s;
-    if (model_.look() != look_before && !input_s_ && first_input_s) {
-        input_s_ = first_input_s;
-        input_look_ = model_.look();
+    if (model_.look() != look_before && first_input_s) {
+        unanswered_.push_back({*first_input_s, 0.0, model_.look()});
     }
     ask_for_work();
     window_.end_frame();
-    note_pace();
+    if (window_.is_lost()) end_without_driver();
+    note_answered();
     for (const std::string& file : window_.take_dropped()) orders.open = file;
     carry_out(orders);
     save_when_ready();
     return !window_.wants_to_close();
 }
 
-void Explorer::note_pace() {
+void Explorer::note_answered() {
+    // What nobody takes is not kept for ever.
+    constexpr std::size_t kMostAnswered = 100'000;
     const auto panes = model_.layout().visible(window_.now_s());
     const auto shown = model_.image(panes.front().side);
-    if (!input_s_ || !shown || shown->look < input_look_) return;
-    pace_.input_ms.push_back(1000.0 * (window_.now_s() - *input_s_));
-    input_s_.reset();
+    if (!shown) return;
+    const auto rest = std::find_if(unanswered_.begin(), unanswered_.end(),
+                                   [&](const Answered& one) { return one.look > shown->look; });
+    if (answered_.size() > kMostAnswered) answered_.clear();
+    for (auto one = unanswered_.begin(); one != rest; ++one) {
+        answered_.push_back({one->input_s, window_.now_s(), shown->look});
+    }
+    unanswered_.erase(unanswered_.begin(), rest);
 }
 
 void Explorer::carry_out(Orders& orders) {
@@ -335,6 +348,27 @@ void Explorer::save_to_study() {
         dialog.problem = problem.what();
         say(fmt::format("Not saved: {}", problem.what()), true);
     }
+}
+
+void Explorer::end_without_driver() {
+    constexpr const char* kWhat = "the graphics driver was reset, and the window with it";
+    if (!model_.scene()) throw base::failure("{}", kWhat);
+    StudyEntry entry;
+    entry.file = options_.data / "explore" / "kept.toml";
+    for (int i = 2; std::filesystem::exists(entry.file); ++i) {
+        entry.file = options_.data / "explore" / fmt::format("kept-{}.toml", i);
+    }
+    entry.scene_id = free_scene_id(std::nullopt, model_.choices().scene.id);
+    entry.condition_id = free_condition_id(std::nullopt);
+    std::string kept;
+    try {
+        (void)write_into_study(model_, entry);
+        kept = fmt::format("camera and pair are kept: `obscura explore {}` goes on with them",
+                           entry.file.string());
+    } catch (const std::exception& error) {
+        kept = fmt::format("camera and pair could not be kept: {}", error.what());
+    }
+    throw base::failure("{}; {}", kWhat, kept);
 }
 
 void run_explorer(ExploreOptions options) {

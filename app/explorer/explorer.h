@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/explorer/desk.h"
 #include "app/explorer/explorer_window.h"
@@ -33,7 +35,8 @@ class Explorer {
     Explorer(const Explorer&) = delete;
     Explorer& operator=(const Explorer&) = delete;
 
-    /// One frame. False: the window was closed.
+    /// One frame. False: the window was closed. Throws failure where the driver was reset, when
+    /// view and pair are in a study file of the data folder, which it names.
     bool step();
 
     [[nodiscard]] Model& model() { return model_; }
@@ -45,13 +48,18 @@ class Explorer {
     void open(const std::string& what);
     void show_condition(const std::string& id);
 
-    /// How late images showed what was put in, and how many there were.
-    struct Pace {
-        std::vector<double> input_ms;  ///< from the first input to the frame that shows it
+    /// What was put in since the frame before, and the image that showed it.
+    struct Answered {
+        double input_s = 0.0;  ///< the first of it, when the window heard of it
+        double shown_s = 0.0;
+        std::uint64_t look = 0;  ///< what the image shows
     };
-    [[nodiscard]] const Pace& pace() const { return pace_; }
+    /// Since it was asked last, in their order.
+    [[nodiscard]] std::vector<Answered> take_answered() { return std::exchange(answered_, {}); }
 
   private:
+    /// That a frame waits for something to happen.
+    [[nodiscard]] double longest_wait_s() const;
     void take_results();
     /// What was measured for the scene may have come since.
     void read_fitted();
@@ -61,7 +69,9 @@ class Explorer {
     void carry_out(Orders& orders);
     void save_when_ready();
     void save_to_study();
-    void note_pace();
+    [[noreturn]] void end_without_driver();
+    /// What the images on the screen show by now.
+    void note_answered();
     /// Where something is saved that was given no name.
     [[nodiscard]] std::filesystem::path file_for(char side, const char* ending) const;
     void say(std::string text, bool problem = false);
@@ -80,10 +90,9 @@ class Explorer {
     std::optional<renderer::Camera> own_camera_;  ///< of the study, for the scene being opened
     bool waiting_image_ = false;                  ///< to be saved once it is as good as it gets
     bool waiting_buffers_ = false;
-    double truth_s_ = 0.0;  ///< when the truth was looked at last
-    Pace pace_;
-    std::optional<double> input_s_;  ///< the earliest input that no rendered image shows yet
-    std::uint64_t input_look_ = 0;
+    double truth_s_ = 0.0;              ///< when the truth was looked at last
+    std::vector<Answered> unanswered_;  ///< inputs that no rendered image shows yet
+    std::vector<Answered> answered_;
 };
 
 /// Runs until the window is closed.

@@ -61,6 +61,8 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
     window::start_glfw("the explorer");
     window::ask_for_context();
     glfwWindowHint(GLFW_RESIZABLE, GLFW_TRUE);
+    // A driver that was reset says so, where it can.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     WindowSize wanted = size.value_or(kUsual);
     int left = 0;
     int top = 0;
@@ -212,6 +214,10 @@ void ExplorerWindow::end_frame() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     first_input_s_.reset();
+}
+
+bool ExplorerWindow::is_lost() const {
+    return told_lost_ || glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 
 void ExplorerWindow::wake() { glfwPostEmptyEvent(); }

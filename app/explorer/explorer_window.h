@@ -53,6 +53,11 @@ class ExplorerWindow {
     /// When the first input came that no frame has shown yet; nothing: none did.
     [[nodiscard]] std::optional<double> first_input_s() const { return first_input_s_; }
 
+    /// Whether the driver was reset, so that nothing can be drawn in this window any more.
+    [[nodiscard]] bool is_lost() const;
+    /// Says so from now on: for those who have no driver that resets.
+    void lose() { told_lost_ = true; }
+
     /// Seconds of GLFW's monotonic clock.
     [[nodiscard]] static double now_s();
 
@@ -78,6 +83,7 @@ class ExplorerWindow {
     std::vector<Press> presses_;  ///< since the last frame
     std::vector<int> shown_;      ///< keys that are down for this frame alone
     std::optional<double> first_input_s_;
+    bool told_lost_ = false;
 };
 
 }  // namespace obscura::app::explorer

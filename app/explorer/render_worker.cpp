@@ -12,8 +12,31 @@
 
 namespace obscura::app::explorer {
 
-RenderWorker::RenderWorker(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this](const std::stop_token& ended) { work(ended); }) {}
+namespace {
+
+class HeadlessStudio : public Studio {
+  public:
+    [[nodiscard]] std::string device() const override { return renderer::gpu_description(); }
+    [[nodiscard]] bool software() const override { return renderer::is_software_renderer(); }
+    [[nodiscard]] Shot take(const ShotRequest& request, char side,
+                            const std::function<bool()>& wanted) override {
+        return photographer_.take(request, side, wanted);
+    }
+
+  private:
+    renderer::HeadlessContext context_;
+    Photographer photographer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Studio> headless_studio() { return std::make_unique<HeadlessStudio>(); }
+
+RenderWorker::RenderWorker(std::function<void()> wake,
+                           std::function<std::unique_ptr<Studio>()> open)
+    : wake_(std::move(wake)),
+      open_(std::move(open)),
+      thread_([this](const std::stop_token& ended) { work(ended); }) {}
 
 RenderWorker::~RenderWorker() {
     stop_ = true;
@@ -54,29 +77,58 @@ void RenderWorker::say(std::string problem) {
     wake_();
 }
 
+void RenderWorker::answer(std::vector<Shot>& made) {
+    if (made.empty()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        for (Shot& shot : made) answers_.shots.push_back(std::move(shot));
+    }
+    made.clear();
+    wake_();
+}
+
 void RenderWorker::work(const std::stop_token& ended) {
-    // A context that is lost takes all that it held with it; another is tried at the next request.
     while (!ended.stop_requested()) {
+        const bool is_second_try = lost_.has_value();
+        bool opened = false;
+        int taken = 0;
         try {
-            work_in_context(ended);
+            const std::unique_ptr<Studio> studio = open_();
+            opened = true;
+            software_ = studio->software();
+            {
+                const std::lock_guard lock(mutex_);
+                device_ = studio->device();
+                // What is newer is wanted instead.
+                if (lost_ && !waiting_) waiting_ = std::move(lost_);
+                lost_.reset();
+            }
+            wake_();
+            work_in(*studio, taken, ended);
         } catch (const std::exception& error) {
-            busy_ = false;
-            say(fmt::format("The image cannot be rendered: {}", error.what()));
+            if (opened && (!is_second_try || taken > 0)) {
+                say(fmt::format("The driver failed ({}); it is started anew.", error.what()));
+                continue;
+            }
+            give_up(fmt::format("The image cannot be rendered: {}", error.what()), opened);
             std::unique_lock lock(mutex_);
             asked_.wait(lock, ended, [this] { return waiting_.has_value(); });
         }
     }
 }
 
-void RenderWorker::work_in_context(const std::stop_token& ended) {
-    const renderer::HeadlessContext context;
-    Photographer photographer;
-    software_ = renderer::is_software_renderer();
+void RenderWorker::give_up(std::string problem, bool opened) {
+    lost_.reset();
     {
         const std::lock_guard lock(mutex_);
-        device_ = renderer::gpu_description();
+        // What came meanwhile has its own try, unless there is no driver at all.
+        if (!opened) waiting_.reset();
+        busy_ = waiting_.has_value();
     }
-    wake_();
+    say(std::move(problem));
+}
+
+void RenderWorker::work_in(Studio& studio, int& taken, const std::stop_token& ended) {
     while (true) {
         ShotRequest request;
         {
@@ -90,25 +142,39 @@ void RenderWorker::work_in_context(const std::stop_token& ended) {
             busy_ = true;
             stop_ = false;
         }
-        const auto wanted = [&] { return !stop_ && !ended.stop_requested(); };
-        for (const char side : request.sides) {
-            if (!wanted()) break;
-            try {
-                Shot shot = photographer.take(request, side, wanted);
-                const std::lock_guard lock(mutex_);
-                answers_.shots.push_back(std::move(shot));
-            } catch (const Stopped&) {
-                break;
-            } catch (const base::Error& error) {
-                // A variant or scene that cannot be rendered leaves the context as it was, but a
-                // driver that failed may not.
-                if (error.code() != base::ExitCode::kBadInput) throw;
-                say(fmt::format("{}: {}", side == 'a' ? "A" : "B", error.what()));
-                break;
-            }
-            wake_();
+        try {
+            take_all(studio, request, ended);
+            ++taken;
+        } catch (...) {
+            lost_ = std::move(request);
+            throw;
         }
     }
+}
+
+void RenderWorker::take_all(Studio& studio, const ShotRequest& request,
+                            const std::stop_token& ended) {
+    const auto wanted = [&] { return !stop_ && !ended.stop_requested(); };
+    // Images in motion are shown together: a frame of the window for each would take the time of
+    // another image.
+    const bool together = request.quality == Quality::kMoving;
+    std::vector<Shot> made;
+    for (const char side : request.sides) {
+        if (!wanted()) break;
+        try {
+            made.push_back(studio.take(request, side, wanted));
+        } catch (const Stopped&) {
+            break;
+        } catch (const base::Error& error) {
+            // A variant or scene that cannot be rendered leaves the context as it was, but a driver
+            // that failed may not.
+            if (error.code() != base::ExitCode::kBadInput) throw;
+            say(fmt::format("{}: {}", side == 'a' ? "A" : "B", error.what()));
+            break;
+        }
+        if (!together) answer(made);
+    }
+    answer(made);
 }
 
 }  // namespace obscura::app::explorer

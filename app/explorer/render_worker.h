@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -21,13 +22,29 @@ struct RenderAnswers {
     std::vector<std::string> problems;  ///< of images that could not be made, a sentence each
 };
 
-/// Renders shots on a thread of its own, in a context without a window: the very context, driver
-/// and code that `obscura render` has. One request at a time; a new one takes the place of what has
-/// not begun yet.
+/// A context with all that it holds; made, used and ended on one thread.
+class Studio {
+  public:
+    virtual ~Studio() = default;
+    /// The driver's name and version.
+    [[nodiscard]] virtual std::string device() const = 0;
+    [[nodiscard]] virtual bool software() const = 0;
+    /// As Photographer::take. Throws failure where the driver was reset or refuses.
+    [[nodiscard]] virtual Shot take(const ShotRequest& request, char side,
+                                    const std::function<bool()>& wanted) = 0;
+};
+/// In a context without a window: the very context, driver and code that `obscura render` has.
+/// Throws failure where there is no driver.
+[[nodiscard]] std::unique_ptr<Studio> headless_studio();
+
+/// Renders shots on a thread of its own. One request at a time; a new one takes the place of what
+/// has not begun yet. A studio that is lost is built anew, and the request that it was lost at is
+/// tried once more.
 class RenderWorker {
   public:
     /// `wake` is called from the worker's thread when there is something to take.
-    explicit RenderWorker(std::function<void()> wake);
+    explicit RenderWorker(std::function<void()> wake,
+                          std::function<std::unique_ptr<Studio>()> open = &headless_studio);
     ~RenderWorker();
     RenderWorker(const RenderWorker&) = delete;
     RenderWorker& operator=(const RenderWorker&) = delete;
@@ -46,11 +63,19 @@ class RenderWorker {
 
   private:
     void work(const std::stop_token& ended);
-    /// One context with what it holds; returns when the thread is to end, throws where it is lost.
-    void work_in_context(const std::stop_token& ended);
+    /// Returns when the thread is to end, throws where the studio is lost; `taken` counts requests.
+    void work_in(Studio& studio, int& taken, const std::stop_token& ended);
+    /// Until there is another request.
+    void give_up(std::string problem, bool opened);
+    /// All sides of a request.
+    void take_all(Studio& studio, const ShotRequest& request, const std::stop_token& ended);
     void say(std::string problem);
+    /// Gives them to who takes next; empty: nothing.
+    void answer(std::vector<Shot>& made);
 
     std::function<void()> wake_;
+    std::function<std::unique_ptr<Studio>()> open_;
+    std::optional<ShotRequest> lost_;  ///< that the last studio was lost at
     mutable std::mutex mutex_;
     std::condition_variable_any asked_;
     std::optional<ShotRequest> waiting_;

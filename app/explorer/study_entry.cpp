@@ -173,6 +173,8 @@ StudyWritten write_into_study(const Model& model, const StudyEntry& entry) {
             "{} {}; allowed is to take it as it is now, or another file", entry.file.string(),
             entry.known_sha256 ? "has changed on disk since it was read" : "is there already");
     }
+    // What the study names is looked for from its folder, which has to be there.
+    fs::create_directories(real.file.parent_path(), error);
     const std::string changed = study_with(model, real, text);
     const fs::perms mode = exists ? fs::status(real.file).permissions() : fs::perms::unknown;
     // Once more, as shortly before as can be.

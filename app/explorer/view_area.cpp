@@ -168,8 +168,11 @@ void ViewArea::draw_pane(Desk& desk, const Box& box, const Box& clip, const Pane
     const Placement placement = placed(box, image, desk.model.layout());
     if (slot.texture) {
         const glm::vec2 high = placement.origin + placement.scale * image;
+        // It covers what is under it: blending would only cost a software renderer's time.
+        list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }, nullptr);
         list.AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(slot.texture.name())),
                       im(placement.origin), im(high));
+        list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glEnable(GL_BLEND); }, nullptr);
     }
     if (const auto& region = desk.model.region()) {
         const glm::vec2 low =
@@ -186,9 +189,9 @@ void ViewArea::draw(Desk& desk, const Box& area) {
     ImGui::SetNextWindowSize(im(glm::max(area.size(), glm::vec2(1.0F))));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(41, 43, 46, 255));
     ImGui::Begin("##view", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse);
     const Layout& layout = desk.model.layout();
@@ -211,7 +214,6 @@ void ViewArea::draw(Desk& desk, const Box& area) {
     }
     mouse(desk, area);
     ImGui::End();
-    ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
 }
 

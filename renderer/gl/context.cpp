@@ -71,16 +71,24 @@ Made make_on(EGLDisplay display, std::string& why) {
     if (eglChooseConfig(display, kConfig, &config, 1, &count) != EGL_TRUE || count == 0) {
         config = EGL_NO_CONFIG_KHR;
     }
+    // The last pair asks that a driver that was reset says so, where it can (GL_CONTEXT_LOST).
     constexpr EGLint kContext[] = {EGL_CONTEXT_MAJOR_VERSION,
                                    4,
                                    EGL_CONTEXT_MINOR_VERSION,
                                    5,
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                   EGL_LOSE_CONTEXT_ON_RESET,
                                    EGL_NONE};
+    constexpr EGLint kPlainContext[] = {kContext[0], kContext[1], kContext[2], kContext[3],
+                                        kContext[4], kContext[5], EGL_NONE};
     EGLContext context = EGL_NO_CONTEXT;
     if (eglBindAPI(EGL_OPENGL_API) == EGL_TRUE) {
         context = eglCreateContext(display, config, EGL_NO_CONTEXT, kContext);
+        if (context == EGL_NO_CONTEXT) {
+            context = eglCreateContext(display, config, EGL_NO_CONTEXT, kPlainContext);
+        }
     }
     if (context != EGL_NO_CONTEXT &&
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {

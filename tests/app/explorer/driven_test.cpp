@@ -14,10 +14,11 @@
 #include <functional>
 
 #include "app/explorer/explorer.h"
+#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/export/gltf_export.h"
-#include "stimuli/generate.h"
+#include "stimuli/study.h"
 #include "tests/app/kiosk/virtual_display.h"
 
 namespace obscura::app::explorer {
@@ -112,6 +113,16 @@ class ExplorerDriven : public testing::Test {
         }
         return found->second;
     }
+    /// The exit code of the program itself.
+    [[nodiscard]] int program(const std::vector<std::string>& words) const {
+        std::vector<std::string> command{OBSCURA_PROGRAM, "--data", (folder_ / "data").string()};
+        command.insert(command.end(), words.begin(), words.end());
+        int exit_code = -1;
+        kiosk::ChildProcess child(command, -1, (folder_ / "log").string());
+        EXPECT_TRUE(child.wait(120.0, exit_code));
+        EXPECT_EQ(exit_code, 0) << base::read_file(folder_ / "log");
+        return exit_code;
+    }
     void point_at(const glm::vec2& at) {
         display_.tool({"xdotool", "mousemove", std::to_string(std::lround(at.x)),
                        std::to_string(std::lround(at.y))});
@@ -185,10 +196,12 @@ TEST_F(ExplorerDriven, WhatIsSavedIntoAStudyIsRenderedToTheByteAsItIsSeen) {
                                  model().image('b')->rgb};
     explorer_.reset();
 
-    const stimuli::Study study = stimuli::load_study((folder_ / "found.toml").string());
+    // The commands take it as it is.
+    const std::string found = (folder_ / "found.toml").string();
+    EXPECT_EQ(program({"check", found}), 0);
+    EXPECT_EQ(program({"render", found, "--out", (folder_ / "stimuli").string()}), 0);
+    const stimuli::Study study = stimuli::load_study(found);
     ASSERT_EQ(study.conditions.size(), 1U);
-    const auto generated = stimuli::generate(study, {}, folder_ / "stimuli", true);
-    EXPECT_EQ(generated.made, 2);
     const std::string rendered =
         base::read_file(folder_ / "stimuli" / (study.conditions[0].id + "-b.png"));
     EXPECT_EQ(stimuli::decode_png(rendered, "rendered").rgb, seen.rgb);
@@ -282,6 +295,35 @@ TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
         ASSERT_EQ(model().layout(), model().layout().sane()) << i;
         ASSERT_TRUE(renderer::problems_of(model().choices().b).empty()) << i;
     }
+}
+
+TEST_F(ExplorerDriven, ADriverThatIsResetEndsTheWindowAndLosesNothing) {
+    ASSERT_TRUE(wait_for_images());
+    model().change([](Choices& to) { to.b.parameters["radius_m"] = 0.25; }, "", 0.0);
+    model().look_from("far", ExplorerWindow::now_s());
+    const renderer::Camera camera = model().view().camera;
+    const renderer::Variant pair_b = model().choices().b;
+    explorer_->window().lose();
+    std::string said;
+    try {
+        frames(1);
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::kFailed);
+        said = error.what();
+    }
+    const fs::path kept = folder_ / "data" / "explore" / "kept.toml";
+    EXPECT_THAT(said, testing::HasSubstr(kept.string()));
+    ASSERT_TRUE(fs::exists(kept)) << said;
+    explorer_.reset();
+    // Where it names, it goes on.
+    ExploreOptions options;
+    options.what = kept.string();
+    options.data = folder_ / "data";
+    explorer_ = std::make_unique<Explorer>(options);
+    ASSERT_TRUE(wait_for_images());
+    EXPECT_EQ(model().view().camera.position_m, camera.position_m);
+    EXPECT_EQ(model().view().camera.target_m, camera.target_m);
+    EXPECT_EQ(model().choices().b, pair_b);
 }
 
 TEST_F(ExplorerDriven, AWindowOfOnePixelShowsNothingAndBreaksNothing) {
