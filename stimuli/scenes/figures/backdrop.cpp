@@ -131,10 +131,10 @@ void add_window(Front& front, float x) {
         for (const float edge : {-0.22F, 0.22F})
             front.timber_box({0.06F, 1.5F, 0.04F}, {out + edge, middle, z + 0.055F}, 0.8F);
         for (const float y : {kLow + 0.04F, middle, kTop - 0.04F})
-            front.timber_box({0.40F, 0.08F, 0.036F}, {out, y, z + 0.055F}, 0.8F);
+            front.timber_box({0.40F, 0.08F, 0.054F}, {out, y, z + 0.055F}, 0.8F);
         for (int i = 0; i < 26; ++i) {
             const float y = kLow + 0.11F + 0.052F * static_cast<float>(i);
-            if (std::abs(y - middle) < 0.06F) continue;
+            if (std::abs(y - middle) < 0.035F) continue;
             Mesh slat;
             // As high as it takes to leave no strip of wall in sight between two of them.
             append(slat, bevelled_box({0.40F, 0.068F, 0.008F}, 0.0F),
@@ -183,7 +183,7 @@ void add_backdrop(renderer::Scene& scene) {
     wall(kWindow - 0.5F, kWindow + 0.5F, 0.0F, 1.02F);
     wall(kWindow - 0.5F, kWindow + 0.5F, 2.55F, kHigh_m);
     add_window(front, kWindow);
-    wall(kDoor - 0.5F, kDoor + 0.5F, 2.25F, kHigh_m);
+    wall(kDoor - 0.5F, kDoor + 0.5F, 2.35F, kHigh_m);  // from behind the lintel
     add_door(front, kDoor);
     // A plinth of stones, a string course and a gutter pipe.
     for (int row = 0; row < 2; ++row) {

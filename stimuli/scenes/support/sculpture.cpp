@@ -161,7 +161,9 @@ float Sculpture::undisplaced(const glm::vec3& point_m, std::span<const Part> par
     float result = kFar;
     for (std::size_t i = 0; i < parts.size();) {
         const Stroke& now = strokes_[parts[i].stroke];
-        const float nearest = stroke_distance(point_m, parts, i, limit_of(now, result));
+        const float limit = limit_of(now, result);
+        const float nearest = stroke_distance(point_m, parts, i, limit);
+        if (nearest >= limit && now.blend != Blend::kKeep) continue;  // too far off to change it
         result = blended(result, nearest, now.blend, now.style.blend_m);
     }
     return result;
