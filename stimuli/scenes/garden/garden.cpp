@@ -31,10 +31,12 @@ renderer::Scene build() {
 renderer::Lighting lighting(Validity validity) {
     renderer::SkyColours sky;
     sky.towards_sun = kTowardsSun;
-    sky.zenith = {0.52F, 0.67F, 0.95F};
-    sky.horizon = {0.86F, 0.89F, 0.94F};
-    sky.ground = {0.42F, 0.40F, 0.30F};
-    sky.sun_glow = {1.4F, 1.25F, 0.95F};
+    // What is seen of it stays below white, where no tone curve is; the rest is the bright part
+    // behind the viewer.
+    sky.zenith = {0.44F, 0.58F, 0.86F};
+    sky.horizon = {0.66F, 0.70F, 0.76F};
+    sky.ground = {0.46F, 0.44F, 0.34F};
+    sky.sun_glow = {2.9F, 2.65F, 2.15F};
     sky.cloud_cover = 0.45F;
     sky.seed = 11;
     renderer::Lighting light;

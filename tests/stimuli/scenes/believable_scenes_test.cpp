@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "stimuli/scenes/builtin_scene.h"
@@ -101,6 +103,30 @@ TEST(Machine, IsSoundDetailedAndTheSameInEveryBuild) { expect_same_in_every_buil
 TEST(Room, IsSoundDetailedAndTheSameInEveryBuild) { expect_same_in_every_build(make_room()); }
 
 TEST(Garden, IsSoundDetailedAndTheSameInEveryBuild) { expect_same_in_every_build(make_garden()); }
+
+TEST(Garden, ShowsASkyBelowWhiteWhereThereIsNoToneCurve) {
+    const BuiltinScene entry = make_garden();
+    const renderer::Lighting light = entry.lighting(Validity::kModerate);
+    ASSERT_FALSE(light.tone_mapping.has_value());
+    const renderer::Environment& sky = *light.environment;
+    int seen = 0;
+    int clipped = 0;
+    for (const renderer::Camera& camera : entry.build().cameras) {
+        const glm::vec3 ahead = glm::normalize(camera.target_m - camera.position_m);
+        for (int row = 0; row < sky.height / 2; ++row) {
+            for (int column = 0; column < sky.width; ++column) {
+                const glm::vec3 way = renderer::direction_of_texel(sky, column, row);
+                if (glm::dot(way, ahead) < std::cos(camera.vertical_fov_rad)) continue;
+                const auto texel = static_cast<std::size_t>(row * sky.width + column);
+                const glm::vec3& radiance = sky.radiance[texel];
+                ++seen;
+                if (std::max({radiance.x, radiance.y, radiance.z}) > 1.0F) ++clipped;
+            }
+        }
+    }
+    EXPECT_GT(seen, 1000);
+    EXPECT_LT(clipped, seen / 50);
+}
 
 TEST(BuiltinScenes, LightEachLevelAsItIsDefined) {
     for (const BuiltinScene& entry : builtin_scenes()) {
