@@ -71,9 +71,9 @@ void move(Desk& desk, const Push& push, float step_s) {
 }
 
 void next_camera(Desk& desk) {
-    const auto& cameras = desk.model.scene()->opened().scene->cameras;
-    const auto now = std::find_if(cameras.begin(), cameras.end(), [&](const auto& camera) {
-        return camera.name == desk.model.view().name;
+    const auto cameras = desk.model.cameras();
+    const auto now = std::find_if(cameras.begin(), cameras.end(), [&](const auto& one) {
+        return same_view(one.camera, desk.model.view().camera);
     });
     const bool last = now == cameras.end() || now + 1 == cameras.end();
     desk.model.look_from(last ? cameras.front().name : (now + 1)->name, desk.now_s);

@@ -23,7 +23,7 @@ const std::vector<Key>& keys() {
         {Deed::kBack, GLFW_KEY_LEFT, 0, false, true, "Alt+Left", "the view visited before"},
         {Deed::kForward, GLFW_KEY_RIGHT, 0, false, true, "Alt+Right", "the one after"},
         {Deed::kFrameAll, 0, 'f', false, false, "F", "frame the whole scene"},
-        {Deed::kNextCamera, 0, 'c', false, false, "C", "the scene's next camera"},
+        {Deed::kNextCamera, 0, 'c', false, false, "C", "the next camera of scene and study"},
         {Deed::kNextArrangement, 0, 'v', false, false, "V", "one, split, four, flicker"},
         {Deed::kOtherSide, 0, 'x', false, false, "X", "A or B in the pane"},
         {Deed::kNextPane, 0, 'n', false, false, "N", "the next pane, for the keys of layers"},

@@ -10,6 +10,7 @@
 #include "app/explorer/flight.h"
 #include "app/explorer/picture.h"
 #include "app/explorer/sane_choices.h"
+#include "stimuli/scenes/builtin_scene.h"
 
 namespace obscura::app::explorer {
 namespace {
@@ -79,12 +80,32 @@ void Model::look_from(const renderer::Camera& camera, double now_s) {
 }
 
 void Model::look_from(const std::string& camera_name, double now_s) {
-    if (!scene_) return;
-    const renderer::Camera* camera = scene_->opened().scene->find_camera(camera_name);
-    if (camera == nullptr) return;
-    view_ = {*camera, camera_name};
-    moved(Motion::kCamera, now_s);
-    visit();
+    for (const NamedCamera& one : cameras()) {
+        if (one.name != camera_name) continue;
+        view_ = {one.camera, one.of_scene ? one.name : ""};
+        moved(Motion::kCamera, now_s);
+        visit();
+        return;
+    }
+}
+
+std::vector<Model::NamedCamera> Model::cameras() const {
+    std::vector<NamedCamera> all;
+    if (!scene_) return all;
+    for (const renderer::Camera& camera : scene_->opened().scene->cameras) {
+        all.push_back({camera.name, camera, true});
+    }
+    if (!study_) return all;
+    for (const stimuli::StudyScene& scene : study_->study.scenes) {
+        Choices there = choices();
+        there.scene = scene;
+        if (stimuli::find_builtin_scene(scene.source) == nullptr) {
+            there.folder = study_->study.folder;
+        }
+        if (!scene.settings.camera || !same_source(there, choices())) continue;
+        all.push_back({"study: " + scene.id, *scene.settings.camera, false});
+    }
+    return all;
 }
 
 void Model::visit() {

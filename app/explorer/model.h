@@ -63,8 +63,15 @@ class Model {
 
     // Where one looks from.
     void look_from(const renderer::Camera& camera, double now_s);
-    /// A camera of the scene; unknown names are ignored.
+    /// One of `cameras`; unknown names are ignored.
     void look_from(const std::string& camera_name, double now_s);
+    struct NamedCamera {
+        std::string name;  ///< for people
+        renderer::Camera camera;
+        bool of_scene = true;  ///< else the open study describes it, and the scene knows none such
+    };
+    /// The scene's own, then those that the open study has of it.
+    [[nodiscard]] std::vector<NamedCamera> cameras() const;
     /// Remembers the view as one that was visited, where it is another than the last.
     void visit();
     void back(double now_s);

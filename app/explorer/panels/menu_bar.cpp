@@ -51,13 +51,9 @@ void camera_menu(Desk& desk) {
                         desk.now_s);
     }
     ImGui::Separator();
-    if (model.scene()) {
-        for (const renderer::Camera& camera : model.scene()->opened().scene->cameras) {
-            const bool here = camera.name == model.view().name;
-            if (ImGui::MenuItem(camera.name.c_str(), nullptr, here)) {
-                model.look_from(camera.name, desk.now_s);
-            }
-        }
+    for (const Model::NamedCamera& one : model.cameras()) {
+        const bool here = same_view(one.camera, model.view().camera);
+        if (ImGui::MenuItem(one.name.c_str(), nullptr, here)) model.look_from(one.name, desk.now_s);
     }
     ImGui::EndMenu();
 }

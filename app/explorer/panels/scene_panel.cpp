@@ -43,12 +43,13 @@ void condition_menu(Desk& desk) {
 void camera_field(Desk& desk) {
     if (!desk.model.scene()) return;
     std::vector<std::string> names;
-    for (const renderer::Camera& camera : desk.model.scene()->opened().scene->cameras) {
-        names.push_back(camera.name);
+    std::string now = "own view";
+    for (const Model::NamedCamera& one : desk.model.cameras()) {
+        names.push_back(one.name);
+        if (same_view(one.camera, desk.model.view().camera)) now = one.name;
     }
-    const std::string& name = desk.model.view().name;
-    const auto chosen = choice_field(desk, "camera", "The scene's own cameras", names,
-                                     name.empty() ? "own view" : name);
+    const auto chosen =
+        choice_field(desk, "camera", "The scene's own cameras and the study's", names, now);
     if (chosen) desk.model.look_from(*chosen, desk.now_s);
 }
 

@@ -141,6 +141,34 @@ TEST(ExplorerModel, VisitedViewsAreGoneThroughBackAndForward) {
     EXPECT_EQ(model.view(), own);
 }
 
+TEST(ExplorerModel, TheCamerasAreTheScenesAndThoseThatTheStudyHasOfIt) {
+    Model model = made_model();
+    OpenStudy open;
+    renderer::Camera own = model.view().camera;
+    own.position_m = {0.0F, 0.5F, 3.0F};
+    stimuli::StudyScene seen;
+    seen.id = "seen";
+    seen.source = "wall";
+    seen.settings.camera = own;
+    stimuli::StudyScene elsewhere = seen;
+    elsewhere.id = "elsewhere";
+    elsewhere.source = "another";
+    stimuli::StudyScene plain = seen;
+    plain.id = "plain";
+    plain.settings.camera.reset();
+    open.study.scenes = {seen, elsewhere, plain};
+    model.set_study(open);
+    const auto cameras = model.cameras();
+    ASSERT_EQ(cameras.size(), 3U);
+    EXPECT_EQ(cameras[1].name, "side");
+    EXPECT_EQ(cameras[2].name, "study: seen");
+    model.look_from("study: seen", 1.0);
+    EXPECT_TRUE(same_view(model.view().camera, own));
+    EXPECT_EQ(model.view().name, "") << "the scene knows no camera of that name";
+    model.look_from("side", 2.0);
+    EXPECT_EQ(model.view().name, "side");
+}
+
 TEST(ExplorerModel, UndoingAnotherSceneAsksForTheOneBefore) {
     Model model = made_model();
     model.opened({made_choices("floor"), "", false, made_wall(), ""}, 1.0);
