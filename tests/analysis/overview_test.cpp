@@ -83,7 +83,7 @@ TEST(Overview, TheChartDrawsEveryRowThatHasAPlaceOnceAndSpansThem) {
     const std::string& data = chart.data[0].text;
     EXPECT_THAT(data, HasSubstr("0.75\t0.09"));
     EXPECT_THAT(chart.script, Not(HasSubstr("Unsharp"))) << "it has no error";
-    EXPECT_THAT(chart.script, HasSubstr("set label \"Gtao16\""));
+    EXPECT_THAT(chart.script, HasSubstr("set label 'Gtao16'"));
     EXPECT_THAT(chart.script, HasSubstr("logscale x"));
     // From 0.5 to 1.25 of the yardstick, and from 0.09 to 0.25.
     EXPECT_THAT(chart.script, HasSubstr("set xrange [0.41666"));
