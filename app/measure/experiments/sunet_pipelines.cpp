@@ -14,8 +14,9 @@ std::vector<Finding> judge_pipelines(const std::vector<Outcome>& outcomes) {
         const auto found = outcome.house_ms.find(pass);
         return found != outcome.house_ms.end() ? found->second : 0.0;
     };
-    const double generated_nd = ms(forward, "geometry");
-    const double generated_g = ms(deferred, "geometry");
+    // Where pixels take several samples, what the technique reads is drawn as `occluders`.
+    const double generated_nd = ms(forward, "geometry") + ms(forward, "occluders");
+    const double generated_g = ms(deferred, "geometry") + ms(deferred, "occluders");
     const double lit_forward = ms(forward, "forward");
     // The paper's composite computes the light; here that is a pass of its own.
     const double lit_deferred = ms(deferred, "light") + ms(deferred, "composite");

@@ -14,7 +14,12 @@ constexpr const char* kWithPoints[] = {"alchemy", "hbao", "starcraft2"};
 
 /// Geometry and accessibility, which the paper adds.
 double geometry_and_ao_ms(const Outcome& outcome) {
-    return outcome.ao_ms + outcome.house_ms.at("geometry");
+    double sum_ms = outcome.ao_ms;
+    for (const char* pass : {"geometry", "occluders"}) {
+        const auto found = outcome.house_ms.find(pass);
+        if (found != outcome.house_ms.end()) sum_ms += found->second;
+    }
+    return sum_ms;
 }
 
 std::vector<Finding> judge_positions(const std::vector<Outcome>& outcomes) {
