@@ -25,6 +25,18 @@
 #include "stimuli/presentation_reader.h"
 
 namespace obscura::app::kiosk {
+
+/// A file descriptor that is closed with this.
+struct LineHandle {
+    explicit LineHandle(int opened) : value(opened) {}
+    ~LineHandle() {
+        if (value >= 0) ::close(value);
+    }
+    LineHandle(const LineHandle&) = delete;
+    LineHandle& operator=(const LineHandle&) = delete;
+    int value;
+};
+
 namespace {
 
 constexpr std::size_t kLongestLine = 100;
@@ -43,17 +55,6 @@ constexpr std::array<std::pair<int, speed_t>, 8> kRates{{{1200, B1200},
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
-
-/// A file descriptor that is closed with this.
-struct Handle {
-    explicit Handle(int opened) : value(opened) {}
-    ~Handle() {
-        if (value >= 0) ::close(value);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    int value;
-};
 
 [[nodiscard]] speed_t rate_of(const ResponseBoxOptions& options) {
     std::string known;
@@ -164,8 +165,8 @@ struct ResponseBox::Reader {
 
     const ResponseBoxOptions options;
     const std::function<void()> wake;
-    Handle line;
-    Handle stop;
+    LineHandle line;
+    LineHandle stop;
     std::mutex mutex;
     std::vector<Press> presses;
     std::set<std::string> unknown;  ///< lines that were said to be none; of the thread alone
