@@ -200,9 +200,9 @@ TEST(QuestionResults, AnswersOfTheFirstQuestionWithoutADifferenceAreSaidToBeCoin
     EXPECT_EQ(results.votes, 3);
     EXPECT_EQ(results.tests, 0) << "the pairs' own family has it";
     EXPECT_THAT(coin_words(results), HasSubstr("1 of 3 answers to the pairs saw no difference"));
-    Json json;
-    put_questions(json, results);
-    EXPECT_EQ(json["questions"]["questions"][0]["conditions"][0]["count_none"], 1);
+    Json shown;
+    put_questions(shown, results);
+    EXPECT_EQ(shown["questions"]["questions"][0]["conditions"][0]["count_none"], 1);
 }
 
 }  // namespace

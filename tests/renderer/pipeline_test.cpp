@@ -14,8 +14,8 @@ namespace {
 
 using tests::choice_of;
 
-constexpr int kWidth = 97;
-constexpr int kHeight = 63;
+constexpr int kLitWidth = 97;
+constexpr int kLitHeight = 63;
 
 Variant in_pipeline(Variant choice, const std::string& pipeline) {
     choice.pipeline = pipeline;
@@ -44,7 +44,7 @@ class Pipelines : public testing::Test {
         options.supersampling = supersampling;
         if (blended) options.occluding_opacity = 0.9F;
         Frame frame = renderer_.render({gpu, lighting, tests::forward_camera(), options}, choice,
-                                       kWidth, kHeight);
+                                       kLitWidth, kLitHeight);
         EXPECT_TRUE(renderer_.mismatches().empty()) << *renderer_.mismatches().begin();
         return frame;
     }
@@ -111,8 +111,8 @@ TEST_F(Pipelines, BuffersThatAreWrittenBesideAnImageAreMadeInBoth) {
     FrameOptions options;
     options.all_buffers = true;
     const FramePlan plan =
-        plan_frame(needs_of(scene, sunlight()), in_pipeline(choice_of("gtao"), "nd-buffer"), kWidth,
-                   kHeight, options);
+        plan_frame(needs_of(scene, sunlight()), in_pipeline(choice_of("gtao"), "nd-buffer"),
+                   kLitWidth, kLitHeight, options);
     for (const Buffer& buffer :
          {Target::kAlbedo, Target::kNormal, Target::kDepth, Target::kDirect}) {
         EXPECT_NE(plan.find(buffer), nullptr) << buffer.name;

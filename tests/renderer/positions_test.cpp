@@ -17,11 +17,11 @@ namespace {
 using testing::HasSubstr;
 using tests::choice_of;
 
-constexpr int kWidth = 75;
-constexpr int kHeight = 51;
+constexpr int kStoodWidth = 75;
+constexpr int kStoodHeight = 51;
 
 /// A floor and a wall that meet, and a box between.
-Scene corner() {
+Scene lit_corner() {
     Scene scene = tests::facing_wall(6.0F);
     tests::add_quad(scene, {-20.0F, -1.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -40.0F});
     tests::add_box(scene, {-1.5F, -1.0F, -5.5F}, {-0.3F, 0.2F, -4.4F});
@@ -34,7 +34,7 @@ class Positions : public testing::Test {
                  const Camera& camera = tests::forward_camera()) {
         const GpuScene gpu(scene);
         const Lighting lighting;
-        return renderer_.render({gpu, lighting, camera}, choice, kWidth, kHeight);
+        return renderer_.render({gpu, lighting, camera}, choice, kStoodWidth, kStoodHeight);
     }
 
     HeadlessContext context_;
@@ -45,10 +45,10 @@ TEST_F(Positions, RebuiltEitherWayOrStoredTheyGiveTheSameAccessibility) {
     for (const std::string technique : {"blizzard", "raymarch", "starcraft2", "hemisphere", "hbao",
                                         "alchemy", "gtao", "bitmask", "layered"}) {
         Variant choice = choice_of(technique);
-        const std::vector<float> wanted = render(corner(), choice).read_accessibility();
+        const std::vector<float> wanted = render(lit_corner(), choice).read_accessibility();
         for (const std::string position : {"inverse-projection", "stored"}) {
             choice.position = position;
-            const std::vector<float> found = render(corner(), choice).read_accessibility();
+            const std::vector<float> found = render(lit_corner(), choice).read_accessibility();
             int apart = 0;
             double squares = 0.0;
             for (std::size_t i = 0; i < found.size(); ++i) {
@@ -57,8 +57,8 @@ TEST_F(Positions, RebuiltEitherWayOrStoredTheyGiveTheSameAccessibility) {
                 squares += off * off;
             }
             // A sample that rounding moves over a texel's border may find another surface.
-            EXPECT_LT(apart, kWidth * kHeight / 50) << technique << ", " << position;
-            EXPECT_LT(std::sqrt(squares / (kWidth * kHeight)), 0.003)
+            EXPECT_LT(apart, kStoodWidth * kStoodHeight / 50) << technique << ", " << position;
+            EXPECT_LT(std::sqrt(squares / (kStoodWidth * kStoodHeight)), 0.003)
                 << technique << ", " << position;
         }
     }
@@ -71,19 +71,19 @@ TEST_F(Positions, StoredOnesAreTheSurfacesPointsToTheBitsOfTheirFormat) {
         Variant choice = choice_of("blizzard");
         choice.position = "stored";
         choice.depth_format = format;
-        const Frame frame = render(corner(), choice, camera);
+        const Frame frame = render(lit_corner(), choice, camera);
         SeenBuffers buffers = seen_buffers(frame, camera);
-        ASSERT_EQ(buffers.position_m.size(), 3U * kWidth * kHeight);
+        ASSERT_EQ(buffers.position_m.size(), 3U * kStoodWidth * kStoodHeight);
         EXPECT_EQ(frame.plan().find(frame.plan().seen_by_technique(Target::kPosition))->format,
                   std::string(format) == "r16f" ? "rgba16f" : "rgba32f");
         const SeenView stored(buffers);
         // Against the rays in double precision and the depth in all its bits.
-        const Frame exact = render(corner(), choice_of("blizzard"), camera);
+        const Frame exact = render(lit_corner(), choice_of("blizzard"), camera);
         const SeenBuffers rebuilt = seen_buffers(exact, camera);
         const SeenView view(rebuilt);
         double most = 0.0;
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kStoodHeight; ++y) {
+            for (int x = 0; x < kStoodWidth; ++x) {
                 if (rebuilt.is_empty(x, y)) continue;
                 const Rounded3 a = stored.point(x, y);
                 const Rounded3 b = view.point(x, y);
@@ -101,11 +101,11 @@ TEST_F(Positions, ThroughTheInverseOfTheProjectionTheyStayWithinItsRounding) {
     // The model's bound is what every pixel is held against elsewhere; here it must stay small.
     Variant choice = choice_of("blizzard");
     choice.position = "inverse-projection";
-    const Frame frame = render(corner(), choice);
+    const Frame frame = render(lit_corner(), choice);
     const SeenBuffers buffers = seen_buffers(frame, tests::forward_camera());
     const SeenView view(buffers);
-    for (int x = 0; x < kWidth; ++x) {
-        const Rounded3 p = view.point(x, kHeight / 3);
+    for (int x = 0; x < kStoodWidth; ++x) {
+        const Rounded3 p = view.point(x, kStoodHeight / 3);
         EXPECT_LT(p.x.error, 1.0e-5 * -p.z.value);
         EXPECT_LT(p.z.error, 1.0e-5 * -p.z.value);
     }

@@ -18,8 +18,8 @@ namespace {
 using testing::HasSubstr;
 using tests::choice_of;
 
-constexpr int kWidth = 75;
-constexpr int kHeight = 51;
+constexpr int kSpreadWidth = 75;
+constexpr int kSpreadHeight = 51;
 
 /// Boxes on a floor before a wall.
 Scene corner_with_boxes() {
@@ -56,7 +56,7 @@ class Progressive : public testing::Test {
         const GpuScene gpu(scene);
         const Lighting lighting;
         const FramePlan plan =
-            plan_frame(needs_of(scene, lighting), technique, choice, kWidth, kHeight);
+            plan_frame(needs_of(scene, lighting), technique, choice, kSpreadWidth, kSpreadHeight);
         const Frame frame = renderer_.draw({gpu, lighting, tests::forward_camera()}, plan);
         EXPECT_TRUE(renderer_.mismatches().empty()) << *renderer_.mismatches().begin();
         return frame.read_accessibility();

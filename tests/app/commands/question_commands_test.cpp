@@ -16,7 +16,7 @@
 namespace obscura::app {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
@@ -91,11 +91,11 @@ TEST_F(QuestionCommands, EveryQuestionIsAnalysedInTextJsonAndReport) {
     EXPECT_THAT(text.out, HasSubstr("4 tests")) << "two conditions, depth and like";
     const ProgramRun run = analyze("--json --out report");
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const json result = json::parse(run.out);
-    const json& questions = result.at("questions");
+    const Json result = Json::parse(run.out);
+    const Json& questions = result.at("questions");
     EXPECT_EQ(questions.at("ties"), "split");
     ASSERT_THAT(questions.at("questions"), SizeIs(4));
-    const json& real = questions["questions"][0]["conditions"][0];
+    const Json& real = questions["questions"][0]["conditions"][0];
     EXPECT_EQ(real.at("count_a").get<int>() + real.at("count_b").get<int>() +
                   real.at("count_none").get<int>(),
               24);
@@ -103,7 +103,7 @@ TEST_F(QuestionCommands, EveryQuestionIsAnalysedInTextJsonAndReport) {
     EXPECT_TRUE(questions["questions"][3].contains("against_agreement"));
     EXPECT_THAT(base::read_file(folder_ / "report/report.html"),
                 HasSubstr("What else was asked of each pair"));
-    EXPECT_EQ(json::parse(base::read_file(folder_ / "report/analysis.json")).at("questions"),
+    EXPECT_EQ(Json::parse(base::read_file(folder_ / "report/analysis.json")).at("questions"),
               questions);
 }
 
@@ -126,7 +126,7 @@ TEST_F(QuestionCommands, EveryAnswerIsExportedOnceWithItsLabelAndEnglishId) {
     }
     EXPECT_EQ(counts["like A"], 48);
     EXPECT_EQ(counts["like B"], 48);
-    const json dictionary = json::parse(base::read_file(folder_ / "tables/data_dictionary.json"));
+    const Json dictionary = Json::parse(base::read_file(folder_ / "tables/data_dictionary.json"));
     EXPECT_EQ(dictionary.at("answers.csv").at("question").at("Levels").at("depth"),
               "Welches Bild wirkte tiefer?");
     // A trial says where a coin spoke.
@@ -153,7 +153,7 @@ TEST_F(QuestionCommands, TheOtherFormatsHaveThemToo) {
     EXPECT_EQ(std::count(bids.begin(), bids.end(), '\n'), 1 + 24 * 2 * 5);
     EXPECT_THAT(bids, HasSubstr("sub-p01"));
     EXPECT_THAT(bids, Not(HasSubstr("simulated-p")));
-    EXPECT_TRUE(json::parse(base::read_file(folder_ / "bids/sourcedata/answers.json"))
+    EXPECT_TRUE(Json::parse(base::read_file(folder_ / "bids/sourcedata/answers.json"))
                     .contains("question_kind"));
     const std::string psych =
         base::read_file(folder_ / "psych-ds/data/description-answers_data.csv");
@@ -173,7 +173,7 @@ TEST_F(QuestionCommands, AStudyWithoutThemIsExportedAndAnalysedAsItAlwaysWas) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "plain/answers.csv"));
     EXPECT_THAT(base::read_file(folder_ / "plain/trials.csv"), Not(HasSubstr("no_difference")));
     const ProgramRun run = run_program(folder_, "analyze --kind simulated --json " + store);
-    EXPECT_FALSE(json::parse(run.out).contains("questions"));
+    EXPECT_FALSE(Json::parse(run.out).contains("questions"));
 }
 
 TEST_F(QuestionCommands, MergingStoresTwiceBringsEachAnswerOnce) {
