@@ -171,23 +171,24 @@ void put_wall(Assembly& hall, const vec3& from, const vec3& edge, std::uint32_t 
 /// The wall behind the viewer, for the sun to come through: brick piers between iron windows.
 void put_window_wall(Assembly& hall) {
     constexpr float kSill = 1.3F;
-    constexpr float kHigh = 6.4F;
+    constexpr float kWindowTop = 6.4F;
     constexpr float kPier = 0.55F;
     constexpr float kStep = 2.2F;
     const float z = kFront + 0.06F;
     hall.put(Surface::kBrick, bevelled_box({kRight - kLeft + 0.3F, kSill, 0.3F}, 0.01F),
              moved(0.5F * (kLeft + kRight), 0.5F * kSill, z), 960U);
     for (float x = kLeft; x < kRight + 0.1F; x += kStep) {
-        hall.put(Surface::kBrick, bevelled_box({kPier, kHigh - kSill + 0.02F, 0.3F}, 0.01F),
-                 moved(x, 0.5F * (kSill + kHigh), z), 961U);
+        hall.put(Surface::kBrick, bevelled_box({kPier, kWindowTop - kSill + 0.02F, 0.3F}, 0.01F),
+                 moved(x, 0.5F * (kSill + kWindowTop), z), 961U);
         for (int i = 1; i < 4; ++i) {
             const float bar = x + 0.5F * kPier + (kStep - kPier) * static_cast<float>(i) / 4.0F;
             if (bar > kRight) continue;
-            hall.put(Surface::kCast, bevelled_box({0.035F, kHigh - kSill + 0.02F, 0.05F}, 0.004F),
-                     moved(bar, 0.5F * (kSill + kHigh), z), 962U);
+            hall.put(Surface::kCast,
+                     bevelled_box({0.035F, kWindowTop - kSill + 0.02F, 0.05F}, 0.004F),
+                     moved(bar, 0.5F * (kSill + kWindowTop), z), 962U);
         }
     }
-    for (float y = kSill + 0.62F; y < kHigh; y += 0.62F) {
+    for (float y = kSill + 0.62F; y < kWindowTop; y += 0.62F) {
         hall.put(Surface::kCast, bevelled_box({kRight - kLeft, 0.03F, 0.04F}, 0.004F),
                  moved(0.5F * (kLeft + kRight), y, z), 963U);
     }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
+#include "tests/stimuli/scenes/mesh_soundness.h"
 #include "tests/stimuli/scenes/scene_triangles.h"
 #include "tests/stimuli/scenes/seen_soundness.h"
 
@@ -17,33 +17,23 @@ constexpr float kTouch_m = 0.003F;
 
 /// Which piece each triangle of a mesh belongs to: those that share a corner's place are one.
 std::vector<std::uint32_t> pieces_of(const Mesh& mesh, std::uint32_t first) {
-    const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-    const auto key = [&](std::uint32_t i) {
-        const glm::vec3 p = mesh.vertices[i].position_m;
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    std::vector<std::uint32_t> parent(count);
+    const std::vector<std::uint32_t> place_of = places_of(mesh);
+    std::vector<std::uint32_t> parent(mesh.vertices.size());
     std::iota(parent.begin(), parent.end(), 0U);
     const std::function<std::uint32_t(std::uint32_t)> root = [&](std::uint32_t i) {
         while (parent[i] != i) i = parent[i] = parent[parent[i]];
         return i;
     };
-    for (std::uint32_t i = 1; i < count; ++i) {
-        if (key(order[i]) == key(order[i - 1])) parent[root(order[i])] = root(order[i - 1]);
-    }
+    const auto root_of_corner = [&](std::size_t i) { return root(place_of[mesh.indices[i]]); };
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        parent[root(mesh.indices[i + 1])] = root(mesh.indices[i]);
-        parent[root(mesh.indices[i + 2])] = root(mesh.indices[i]);
+        parent[root_of_corner(i + 1)] = root_of_corner(i);
+        parent[root_of_corner(i + 2)] = root_of_corner(i);
     }
     std::map<std::uint32_t, std::uint32_t> number;
     std::vector<std::uint32_t> pieces;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto next = first + static_cast<std::uint32_t>(number.size());
-        pieces.push_back(number.try_emplace(root(mesh.indices[i]), next).first->second);
+        pieces.push_back(number.try_emplace(root_of_corner(i), next).first->second);
     }
     return pieces;
 }

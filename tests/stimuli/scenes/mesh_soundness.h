@@ -56,8 +56,8 @@ inline std::vector<std::size_t> turned_triangles(const renderer::Mesh& mesh) {
     return turned;
 }
 
-/// Edges, as pairs of places, that one triangle crosses one way and none crosses the other way.
-inline std::vector<std::pair<glm::vec3, glm::vec3>> open_edges(const renderer::Mesh& mesh) {
+/// A number for each vertex, from 0: the same for those in one place.
+inline std::vector<std::uint32_t> places_of(const renderer::Mesh& mesh) {
     const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
     const auto key = [&](std::uint32_t i) {
         const glm::vec3 p = mesh.vertices[i].position_m;
@@ -72,6 +72,12 @@ inline std::vector<std::pair<glm::vec3, glm::vec3>> open_edges(const renderer::M
         place_of[order[i]] =
             place_of[order[i - 1]] + (key(order[i]) == key(order[i - 1]) ? 0U : 1U);
     }
+    return place_of;
+}
+
+/// Edges, as pairs of places, that one triangle crosses one way and none crosses the other way.
+inline std::vector<std::pair<glm::vec3, glm::vec3>> open_edges(const renderer::Mesh& mesh) {
+    const std::vector<std::uint32_t> place_of = places_of(mesh);
     std::vector<std::tuple<std::uint32_t, std::uint32_t, int, std::uint32_t, std::uint32_t>> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const std::uint32_t a = mesh.indices[i];
