@@ -115,7 +115,7 @@ Step newton_step(const std::vector<Stratum>& strata, double slope) {
     }
     step.slope = gradient / step.information;
     step.terms.reserve(strata.size());
-    for (const Sums& own : sums) {
+    for (const OfStratum& own : sums) {
         step.terms.push_back((own.gradient - own.cross * step.slope) / own.weight);
     }
     return step;
