@@ -12,13 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Files = std::vector<ReportFile>;
+
 TEST(WriteReport, MakesTheFoldersThatNamesBeginWith) {
     const tests::TemporaryFolder folder;
     const fs::path out = folder / "out";
-    write_report({{"page.html", "1"}, {"plots/deep/a.svg", "2"}, {"plots/b.svg", "3"}}, out);
+    write_report(Files{{"page.html", "1"}, {"plots/deep/a.svg", "2"}, {"plots/b.svg", "3"}}, out);
     EXPECT_EQ(base::read_file(out / "page.html"), "1");
     EXPECT_EQ(base::read_file(out / "plots" / "deep" / "a.svg"), "2");
-    write_report({{"plots/b.svg", "4"}}, out);
+    write_report(Files{{"plots/b.svg", "4"}}, out);
     EXPECT_EQ(base::read_file(out / "plots" / "b.svg"), "4");
     // What the later report does not have is gone with the earlier one.
     EXPECT_FALSE(fs::exists(out / "page.html"));
@@ -30,8 +32,8 @@ TEST(WriteReport, BringsBackWhatStoodThereWhenAFolderCannotBeMade) {
     base::write_file_atomically(out / "page.html", "earlier");
     base::write_file_atomically(out / "plots", "a file where a folder must be");
     EXPECT_THROW(
-        write_report({{"page.html", "new"}, {"thumbnails/a.jpg", "new"}, {"plots/a.svg", "new"}},
-                     out),
+        write_report(
+            Files{{"page.html", "new"}, {"thumbnails/a.jpg", "new"}, {"plots/a.svg", "new"}}, out),
         base::Error);
     EXPECT_EQ(base::read_file(out / "page.html"), "earlier");
     EXPECT_FALSE(fs::exists(out / "thumbnails"));
