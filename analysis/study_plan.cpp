@@ -76,7 +76,7 @@ PlannedHypothesis hypothesis_of(const Json& object) {
     return hypothesis;
 }
 
-/// What is asked of each pair; analysis/question_answers.h reads it.
+/// What is asked of each pair; analysis/questions/answers.h reads it.
 void require_question(const Json& object) {
     const bool named = object.is_object() && object.contains("id") && object.contains("kind") &&
                        object["id"].is_string() && object["kind"].is_string();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 #include "analysis/statistics/davidson.h"
 #include "analysis/statistics/mean_test.h"
 #include "analysis/statistics/signed_rank.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analysis/export/source.h"
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 
 namespace obscura::analysis {
 

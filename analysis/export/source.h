@@ -15,7 +15,7 @@
 #include "analysis/export/events.h"
 #include "analysis/export/export.h"
 #include "analysis/export/tables.h"
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 
 namespace obscura::analysis {
 

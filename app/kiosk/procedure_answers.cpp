@@ -4,7 +4,7 @@
 // The questions of a pair, one page each: the choice first, which is the trial.
 #include <algorithm>
 
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 #include "app/kiosk/procedure.h"
 #include "renderer/base/hash.h"
 

@@ -34,6 +34,7 @@ class Starcraft2Model {
   public:
     Starcraft2Model(const SeenBuffers& buffers, const Variant& variant)
         : buffers_(buffers),
+          own_(buffers),
           samples_(with_squares(buffers, starcraft2_halvings(variant))),
           view_(samples_),
           points_(starcraft2_points(variant)),
@@ -57,7 +58,7 @@ class Starcraft2Model {
 
     [[nodiscard]] Admitted at(int x, int y) const {
         const Rounded z(buffers_.depth_at(x, y));
-        const Place place{view_.point(x, y), view_.normal(x, y), tile_.at(x, y)};
+        const Place place{own_.point(x, y), own_.normal(x, y), tile_.at(x, y)};
         const Rounded height = view_.pixel() * Rounded(buffers_.height);
         Rounded radius_m = min(radius_m_, footprint_ * height * z);
         Bounded occluded = occlusion_of(points_.wide, place, radius_m, power_);
@@ -145,6 +146,7 @@ class Starcraft2Model {
     }
 
     const SeenBuffers& buffers_;
+    SeenView own_;  // the pixel itself, whose depth no square shares
     SeenBuffers samples_;
     SeenView view_;
     Starcraft2Points points_;

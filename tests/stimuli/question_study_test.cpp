@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 #include "analysis/study_plan.h"
 #include "stimuli/study_reader.h"
 #include "tests/stimuli/study_fixture.h"

@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 #include "analysis/store/store.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"

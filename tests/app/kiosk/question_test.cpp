@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 #include "analysis/store/store.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/simulated_observer.h"

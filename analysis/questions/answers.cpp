@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/question_answers.h"
+#include "analysis/questions/answers.h"
 
 #include <algorithm>
 #include <map>
