@@ -52,6 +52,7 @@ class ModelAnswers {
             }
             if (key.empty()) continue;
             ++participants_;
+            answers_ += std::count(key.begin(), key.end(), ';');
             const auto [entry, is_new] = places.emplace(key, data_.size());
             if (!is_new) {
                 ++data_[entry->second].participants;
@@ -79,6 +80,7 @@ class ModelAnswers {
     }
 
     [[nodiscard]] std::int64_t participants() const { return participants_; }
+    [[nodiscard]] std::int64_t answers() const { return answers_; }
     [[nodiscard]] bool has_order() const { return has_order_; }
     [[nodiscard]] std::size_t predictors() const { return terms_ + (has_order_ ? 1 : 0); }
     [[nodiscard]] const std::vector<MixedParticipants>& data() const { return data_; }
@@ -104,6 +106,7 @@ class ModelAnswers {
     std::size_t terms_;
     bool has_order_ = false;
     std::int64_t participants_ = 0;
+    std::int64_t answers_ = 0;
     std::vector<MixedParticipants> data_;
 };
 
@@ -142,14 +145,18 @@ Possible<ModelCheck> checked(const ModelAnswers& answered, const Design& design)
     const auto simpler = mixed_logistic(answered.without_terms_from(nested),
                                         answered.predictors() - (terms - nested));
     if (!simpler.has_value()) {
-        check.conditions_differ = Possible<ChiSquareTest>::none(simpler.reason);
+        check.conditions_differ = Possible<NestedTest>::none(simpler.reason);
         return check;
     }
-    ChiSquareTest ratio;
-    ratio.statistic = std::max(0.0, 2.0 * (fit->log_likelihood - simpler->log_likelihood));
-    ratio.df = static_cast<int>(terms - nested);
-    ratio.p = chi_square_tail(ratio.statistic, ratio.df);
-    check.conditions_differ = ratio;
+    const int df = static_cast<int>(terms - nested);
+    if (answered.answers() - answered.participants() - df < 1) {
+        check.conditions_differ =
+            Possible<NestedTest>::none("too few answers of each participant for the terms");
+        return check;
+    }
+    check.conditions_differ =
+        nested_test(std::max(0.0, 2.0 * (fit->log_likelihood - simpler->log_likelihood)), df,
+                    answered.answers(), answered.participants());
     return check;
 }
 
@@ -251,10 +258,10 @@ std::string model_words(const Possible<ModelCheck>& model, const Possible<PValue
                                     model->order->log_odds, model->order->standard_error));
     }
     if (model->conditions_differ.has_value()) {
-        const ChiSquareTest& test = *model->conditions_differ;
-        parts.push_back(fmt::format("{} differ: likelihood ratio {:.3f}, df {}, {}",
+        const NestedTest& test = *model->conditions_differ;
+        parts.push_back(fmt::format("{} differ: likelihood ratio {:.3f}, df {} and {}, {}",
                                     model->effect.has_value() ? "conditions" : "levels",
-                                    test.statistic, test.df, p_words(test.p)));
+                                    test.statistic, test.df, test.error_df, p_words(test.p)));
     }
     const std::string text = fmt::format("{}", fmt::join(parts, "; "));
     const auto p = p_of(*model);

@@ -8,6 +8,7 @@
 
 #include "analysis/statistics/bayes_factor.h"
 #include "analysis/statistics/chi_square.h"
+#include "analysis/statistics/nested_test.h"
 #include "analysis/statistics/possible.h"
 #include "analysis/statistics/posterior.h"
 #include "analysis/statistics/sign_flip.h"
@@ -102,7 +103,7 @@ struct ModelCheck {
     Possible<ModelTerm> order = Possible<ModelTerm>::none("not known");  ///< for the second image
     double sd = 0.0;  ///< of the participants, log odds
     /// Likelihood ratio of a term for each condition, or for each of more than two levels.
-    Possible<ChiSquareTest> conditions_differ = Possible<ChiSquareTest>::none("one condition");
+    Possible<NestedTest> conditions_differ = Possible<NestedTest>::none("one condition");
 };
 
 /// What stands beside the p of the verdict's test.

@@ -85,7 +85,8 @@ void put_model(Json& object, const Possible<ModelCheck>& model) {
     entry["participants_sd"] = model->sd;
     if (model->conditions_differ.has_value()) {
         entry["conditions_differ"] = {{"likelihood_ratio", model->conditions_differ->statistic},
-                                      {"df", model->conditions_differ->df}};
+                                      {"df", model->conditions_differ->df},
+                                      {"error_df", model->conditions_differ->error_df}};
         put_p(entry["conditions_differ"], "p", Possible<PValue>(model->conditions_differ->p));
     } else {
         put_none(entry, "conditions_differ", model->conditions_differ.reason);

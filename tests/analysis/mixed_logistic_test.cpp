@@ -105,6 +105,25 @@ TEST(MixedLogistic, OfPeopleWhoDoNotDifferIsTheLogisticRegression) {
     EXPECT_NEAR(std::sqrt(fit->covariance[0]), 1.0 / std::sqrt(160.0 * 3.0 / 16.0), 1e-6);
 }
 
+TEST(NestedTest, IsTheClosedFormOfTwoTermsAndChiSquareInTheLimit) {
+    for (const double statistic : {0.0, .5, 6.0, 40.0}) {
+        // Of df 2 the tail of F is (1 + statistic / error_df)^(-error_df / 2).
+        const NestedTest test = nested_test(statistic, 2, 84, 12);
+        EXPECT_EQ(test.error_df, 70);
+        EXPECT_NEAR(test.p.p, std::pow(1.0 + statistic / 70.0, -35.0), 1e-12);
+        EXPECT_GE(test.p.p, chi_square_tail(statistic, 2).p);
+        EXPECT_NEAR(nested_test(statistic, 5, 1'000'000'005, 0).p.p,
+                    chi_square_tail(statistic, 5).p, 1e-6);
+    }
+}
+
+TEST(NestedTest, RefusesWhatLeavesNothingWithinParticipants) {
+    EXPECT_THROW((void)nested_test(1.0, 5, 17, 12), base::Error);
+    EXPECT_THROW((void)nested_test(-1.0, 5, 72, 12), base::Error);
+    EXPECT_THROW((void)nested_test(std::nan(""), 5, 72, 12), base::Error);
+    EXPECT_THROW((void)nested_test(1.0, 0, 72, 12), base::Error);
+}
+
 TEST(MixedLogistic, SaysSeparationAndTermsThatCannotBeToldApart) {
     EXPECT_EQ(mixed_logistic({}, 1).reason, "no answers");
     const std::vector<MixedParticipants> all_b(12, {{{{{0, 1.0}}, {0, 3}}}, 1});
