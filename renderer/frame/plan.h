@@ -126,8 +126,8 @@ struct FramePlan {
     /// Whether surfaces are lit while they are drawn a second time, and not from a G-buffer (Sunet
     /// 2018, 4.2).
     [[nodiscard]] bool lit_forward() const { return variant.pipeline == "nd-buffer"; }
-    /// The buffer of the image's pixels for depth, normal, position or visibility: what the technique sees
-    /// where it has one value a pixel.
+    /// The buffer of the image's pixels for depth, normal, position or visibility: what the
+    /// technique sees where it has one value a pixel.
     [[nodiscard]] std::string of_pixels(std::string_view buffer) const;
     /// The buffer that the technique reads for depth, normal, position or visibility.
     [[nodiscard]] std::string seen_by_technique(std::string_view buffer) const;
