@@ -41,6 +41,7 @@ struct Store::Impl {
     template <typename Work>
     bool changed(Work& work, bool last) {
         database.require_in_place();
+        const Turn turn(database);
         try {
             Transaction transaction(database);
             work();
