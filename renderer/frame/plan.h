@@ -48,6 +48,7 @@ struct LeftOut {
 /// What a scene and its light ask for; all that the plan knows of them.
 struct SceneNeeds {
     bool environment = false;
+    bool irradiance_grid = false;  ///< its irradiance depends on where one stands
     int lights = 0;
     int point_lights = 0;
     bool tone_mapping = false;
@@ -126,8 +127,8 @@ struct FramePlan {
     /// Whether surfaces are lit while they are drawn a second time, and not from a G-buffer (Sunet
     /// 2018, 4.2).
     [[nodiscard]] bool lit_forward() const { return variant.pipeline == "nd-buffer"; }
-    /// The buffer of the image's pixels for depth, normal, position or visibility: what the technique sees
-    /// where it has one value a pixel.
+    /// The buffer of the image's pixels for depth, normal, position or visibility: what the
+    /// technique sees where it has one value a pixel.
     [[nodiscard]] std::string of_pixels(std::string_view buffer) const;
     /// The buffer that the technique reads for depth, normal, position or visibility.
     [[nodiscard]] std::string seen_by_technique(std::string_view buffer) const;
