@@ -208,7 +208,8 @@ Taken sessions_of(Store& store, const std::string& study, Kind kind) {
 }
 
 /// Whether B was chosen, by session and place of what people vote on.
-std::map<std::pair<std::string, int>, bool> chosen_by_pair(Store& store, const Taken& taken, Kind kind) {
+std::map<std::pair<std::string, int>, bool> chosen_by_pair(Store& store, const Taken& taken,
+                                                           Kind kind) {
     std::map<std::pair<std::string, int>, bool> votes;
     store.each_trial([&](const TrialRecord& trial, const SessionRecord&) {
         const bool is_vote = trial.kind == kind && trial.repeats.empty();

@@ -112,7 +112,8 @@ std::string correction_words(const Analysis& analysis) {
     return fmt::format(
         "{} of hypotheses {} corrected together [@holm1979] at a level of {:g}; a share within "
         "{:g} "
-        "points of one half was called practically equal where two one-sided tests said so "
+        "points of one half was called practically equal where two one-sided tests, each at "
+        "the same level and not corrected over the hypotheses, said so "
         "[@schuirmann1987]. Scenes and views were fixed and not drawn, so that the results do not "
         "generalise to others [@clark1973].",
         capital(counted(static_cast<std::int64_t>(tests->tests), "test")),

@@ -96,8 +96,9 @@ Possible<SignedRankTest> signed_rank(const std::vector<double>& differences) {
     }
     test.positive = 0.5 * static_cast<double>(positive);
     test.is_exact = sizes.size() <= kMostRanked;
-    test.p = test.is_exact ? of_two_sides(2.0 * lower_tail(ranks, std::min(positive, all - positive)))
-                           : by_normal(ranks, test.positive);
+    test.p = test.is_exact
+                 ? of_two_sides(2.0 * lower_tail(ranks, std::min(positive, all - positive)))
+                 : by_normal(ranks, test.positive);
     return test;
 }
 

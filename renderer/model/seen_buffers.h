@@ -24,7 +24,7 @@ struct SeenBuffers {
     std::vector<std::uint8_t> empty;  ///< 1 where nothing is seen
     /// Three code values a pixel, of a format with fewer the rest is 0; empty: none is read.
     std::vector<std::uint16_t> normal;
-    std::string normal_format = "rgb8";  ///< of Variant::normal_format
+    std::string normal_format = "rgb8";          ///< of Variant::normal_format
     std::string position = "similar-triangles";  ///< of Variant::position
     /// Where it is stored: the points' components; empty: they are rebuilt.
     std::vector<float> position_m;

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -92,6 +93,7 @@ PostgresServer::PostgresServer()
     int status = -1;
     ::waitpid(made, &status, 0);
     if (status != 0) throw std::runtime_error("initdb fails, see " + (folder_ / "log").string());
+    std::ofstream(folder_ / "data" / "postgresql.auto.conf", std::ios::app) << "fsync = off\n";
     start();
 }
 
@@ -102,10 +104,10 @@ PostgresServer::~PostgresServer() {
 }
 
 void PostgresServer::start() {
-    process_ = spawn({std::string(kPrograms) + "postgres", "-D", (folder_ / "data").string(), "-p",
-                      std::to_string(port_), "-h", "127.0.0.1", "-k", "", "-c", "fsync=off", "-c",
-                      "max_connections=60"},
-                     folder_ / "log");
+    process_ =
+        spawn({std::string(kPrograms) + "postgres", "-D", (folder_ / "data").string(), "-p",
+               std::to_string(port_), "-h", "127.0.0.1", "-k", "", "-c", "max_connections=60"},
+              folder_ / "log");
     const std::string url =
         fmt::format("host=127.0.0.1 port={} user=operator dbname=postgres", port_);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience_s);
