@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands/image_size.h"
 #include "app/commands/scene_argument.h"

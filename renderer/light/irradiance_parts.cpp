@@ -73,8 +73,14 @@ DirectionCells::DirectionCells(int rows) {
     for (int row = 0; row < rows; ++row) {
         const double theta = std::numbers::pi * (row + 0.5) / rows;
         const int across = std::max(3, static_cast<int>(std::lround(2.0 * rows * std::sin(theta))));
-        for (int i = 0; i < across; ++i) {
-            middles_.emplace_back(direction_of(kTurn * (i + 0.5) / across, theta));
+        for (int stratum = 0; stratum < kStrata; ++stratum) {
+            // A lattice of rank one: a place in each eighth of either side.
+            const double down = (stratum + 0.5) / kStrata;
+            const double along = (3 * stratum % kStrata + 0.5) / kStrata;
+            for (int i = 0; i < across; ++i) {
+                ways_[static_cast<std::size_t>(stratum)].emplace_back(direction_of(
+                    kTurn * (i + along) / across, std::numbers::pi * (row + down) / rows));
+            }
         }
         first_.push_back(first_.back() + across);
     }

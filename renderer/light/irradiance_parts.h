@@ -20,12 +20,16 @@ class DirectionCells {
     [[nodiscard]] int size() const { return first_.back(); }
     [[nodiscard]] int first_of(int row) const { return first_[static_cast<std::size_t>(row)]; }
     [[nodiscard]] int in_row(int row) const { return first_of(row + 1) - first_of(row); }
-    /// The middle of each cell as a unit vector, row by row from +Y.
-    [[nodiscard]] const std::vector<glm::vec3>& middles() const { return middles_; }
+    /// A unit vector in each cell, row by row from +Y: one of kStrata places that share the cell
+    /// evenly.
+    [[nodiscard]] const std::vector<glm::vec3>& ways(int stratum) const {
+        return ways_[static_cast<std::size_t>(stratum)];
+    }
+    static constexpr int kStrata = 8;
 
   private:
     std::vector<int> first_;  ///< of each row, and one more: how many there are
-    std::vector<glm::vec3> middles_;
+    std::array<std::vector<glm::vec3>, kStrata> ways_;
 };
 
 /// What arrives through each cell adds to irradiance / pi, so that an environment whose cells are

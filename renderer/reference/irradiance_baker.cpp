@@ -3,6 +3,7 @@
 #include "renderer/reference/irradiance_baker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -77,12 +78,45 @@ void fill(const std::vector<Filled>& order, std::vector<IrradianceSh>& probes) {
     }
 }
 
-void add(IrradianceSh& sum, const IrradianceSh& more) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+void add(IrradianceSh& sum, const IrradianceSh& more, float factor = 1.0F) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * more[i];
 }
 
 void add(IrradianceSh& sum, const std::array<float, 9>& of_one, const glm::vec3& radiance) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += radiance * of_one[i];
+}
+
+/// Whether a probe and the next one along each axis see each other.
+using SeesNext = std::array<bool, 3>;
+
+/// The mean with the neighbours along each axis by weights of 1 2 1, which gives the directions of
+/// either of two neighbours the same share.
+void smooth(const ProbeLattice& lattice, const std::vector<SeesNext>& sees_next,
+            std::vector<IrradianceSh>& probes) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<IrradianceSh> sums(probes.size());
+        glm::ivec3 step(0);
+        step[axis] = 1;
+        for_each_probe(lattice, [&](const glm::ivec3& at) {
+            IrradianceSh& sum = sums[lattice.index(at)];
+            float weight = 2.0F;
+            add(sum, probes[lattice.index(at)], weight);
+            const auto take = [&](const glm::ivec3& first, const glm::ivec3& other) {
+                if (!sees_next[lattice.index(first)][static_cast<std::size_t>(axis)]) return;
+                add(sum, probes[lattice.index(other)]);
+                weight += 1.0F;
+            };
+            if (at[axis] > 0) take(at - step, at - step);
+            if (at[axis] + 1 < lattice.count[axis]) take(at, at + step);
+            for (glm::vec3& value : sum) value /= weight;
+        });
+        probes = std::move(sums);
+    }
+}
+
+/// Of DirectionCells: neighbours along any axis have different ones.
+int stratum_of(const glm::ivec3& probe) {
+    return (probe.x & 1) + 2 * (probe.y & 1) + 4 * (probe.z & 1);
 }
 
 }  // namespace
@@ -95,8 +129,13 @@ struct IrradianceBaker::Traced {
     ProbeLattice lattice;
     DirectionCells cells;
     std::vector<ProbeHit> hits;  ///< of each probe's cells in turn
+    std::vector<SeesNext> sees_next;
     std::vector<Filled> filling;
 
+    void smooth_and_fill(std::vector<IrradianceSh>& probes) const {
+        smooth(lattice, sees_next, probes);
+        fill(filling, probes);
+    }
     [[nodiscard]] const ProbeHit* hits_of(int probe) const {
         return &hits[static_cast<std::size_t>(probe) * static_cast<std::size_t>(cells.size())];
     }
@@ -107,22 +146,35 @@ IrradianceBaker::Traced::Traced(const Scene& scene, const ProbeOptions& options)
       lattice(probes_over(bounds_of(scene), options.most_probes)),
       cells(options.rows) {
     const auto directions = static_cast<std::size_t>(cells.size());
-    std::vector<glm::vec3> positions_m;
-    for_each_probe(lattice,
-                   [&](const glm::ivec3& at) { positions_m.push_back(lattice.position_m(at)); });
+    std::vector<glm::ivec3> places;
+    for_each_probe(lattice, [&](const glm::ivec3& at) { places.push_back(at); });
     hits.resize(lattice.probes() * directions);
     std::vector<char> in_the_open(lattice.probes());
     base::in_parallel(static_cast<int>(lattice.probes()), options.threads, [&](int i) {
         const auto probe = static_cast<std::size_t>(i);
+        const glm::vec3 from_m = lattice.position_m(places[probe]);
+        const std::vector<glm::vec3>& ways = cells.ways(stratum_of(places[probe]));
         std::size_t backs = 0;
         for (std::size_t d = 0; d < directions; ++d) {
             ProbeHit& hit = hits[probe * directions + d];
-            hit = rays.trace(positions_m[probe], cells.middles()[d]);
+            hit = rays.trace(from_m, ways[d]);
             if (hit.kind == ProbeHit::Kind::kBack) ++backs;
         }
         in_the_open[probe] =
             static_cast<double>(backs) < kMostBacks * static_cast<double>(directions) ? 1 : 0;
     });
+    const auto may_see = [&](const glm::ivec3& at, int axis) {
+        glm::ivec3 next = at;
+        glm::vec3 way(0.0F);
+        next[axis] += 1;
+        way[axis] = 1.0F;
+        return next[axis] < lattice.count[axis] && in_the_open[lattice.index(at)] != 0 &&
+               in_the_open[lattice.index(next)] != 0 &&
+               rays.sees(lattice.position_m(at), way, lattice.step_m[axis]);
+    };
+    for (const glm::ivec3& at : places) {
+        sees_next.push_back({may_see(at, 0), may_see(at, 1), may_see(at, 2)});
+    }
     filling = filling_of(lattice, {in_the_open.begin(), in_the_open.end()});
 }
 
@@ -161,7 +213,7 @@ std::shared_ptr<const IrradianceGrid> IrradianceBaker::bake(const Lighting& ligh
         }
     });
     grid->probes = first;
-    fill(traced.filling, grid->probes);
+    traced.smooth_and_fill(grid->probes);
     for (int bounce = 0; bounce < options_.bounces; ++bounce) {
         std::vector<IrradianceSh> next = first;
         base::in_parallel(count, options_.threads, [&](int probe) {
@@ -174,7 +226,7 @@ std::shared_ptr<const IrradianceGrid> IrradianceBaker::bake(const Lighting& ligh
             }
         });
         grid->probes = std::move(next);
-        fill(traced.filling, grid->probes);
+        traced.smooth_and_fill(grid->probes);
     }
     grid->round_to_halves();
     return grid;

@@ -11,7 +11,7 @@
 namespace obscura::renderer {
 
 struct ProbeOptions {
-    int most_probes = 3000;  ///< 1 to a million
+    int most_probes = 2500;  ///< 1 to a million
     int rows = 10;           ///< of directions that a probe looks in, even; 4 / pi times its square
     int bounces = 3;         ///< of light between surfaces, at least 0
     int threads = 0;         ///< 0: one a core. The probes do not depend on it.
@@ -19,10 +19,11 @@ struct ProbeOptions {
 
 /// Irradiance of a scene's probes by ray tracing: what each sees of the environment, and light that
 /// comes from there, from the lights and from surfaces that send out their own, once it was
-/// reflected diffusely. Every probe looks in the same directions; what each meets is traced once,
-/// when the first light is baked, and serves every other light. The same bytes on every machine:
-/// Embree runs without fused multiplications, distances are computed here, and what is left is
-/// rounded to half floats.
+/// reflected diffusely. A probe and its neighbours look past each other, and each takes the mean
+/// with those that it sees, which leaves no stains where few rays find a small window. What rays
+/// meet is traced once, when the first light is baked, and serves every other light. The same bytes
+/// on every machine: Embree runs without fused multiplications, distances are computed here, and
+/// what is left is rounded to half floats.
 class IrradianceBaker {
   public:
     explicit IrradianceBaker(std::shared_ptr<const Scene> scene, const ProbeOptions& options = {});

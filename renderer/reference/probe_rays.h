@@ -36,9 +36,10 @@ class ProbeRays {
     [[nodiscard]] glm::vec3 direct_light(const Lighting& light, const glm::vec3& point_m,
                                          const glm::vec3& normal) const;
 
-  private:
     /// Whether nothing stands between a point and one as far away as `far_m`.
     [[nodiscard]] bool sees(const glm::vec3& from_m, const glm::vec3& direction, float far_m) const;
+
+  private:
 
     struct Surface {
         glm::vec3 albedo;

@@ -160,7 +160,9 @@ RayScene::RayScene(const Scene& scene, Kernels kernels) : origin_m_(origin_of(sc
     scene_ = rtcNewScene(device_);
     try {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+        // Many rays pay for a better tree; those of probes are few.
+        rtcSetSceneBuildQuality(scene_, kernels == Kernels::kFastest ? RTC_BUILD_QUALITY_HIGH
+                                                                     : RTC_BUILD_QUALITY_MEDIUM);
         for (std::size_t i = 0; i < scene.meshes.size(); ++i) add(scene, i);
         for (const auto& geometry : geometries_) left += geometry->indices.size() / 3;
         if (skipped_ > 0) {
