@@ -13,9 +13,11 @@ namespace obscura::renderer {
 ProbeLattice probes_over(const Bounds& bounds, int most_probes) {
     base::check_range("probes_over", "most_probes", most_probes, 1, 1'000'000);
     const glm::dvec3 extent = glm::max(glm::dvec3(bounds.high_m) - glm::dvec3(bounds.low_m), 1e-3);
+    for (int axis = 0; axis < 3; ++axis) {
+        base::check_range("probes_over", "metres across the scene", extent[axis], 0.0, 1e9);
+    }
     const auto count_at = [&extent](double step) {
-        return glm::ivec3(
-            glm::clamp(glm::round(extent / step), glm::dvec3(1.0), glm::dvec3(kMostProbesAlong)));
+        return glm::ivec3(glm::clamp(glm::round(extent / step), 1.0, double{kMostProbesAlong}));
     };
     double step = std::cbrt(extent.x * extent.y * extent.z / most_probes);
     constexpr double kWider = 1.01;
@@ -36,21 +38,23 @@ glm::vec3 IrradianceGrid::look_up(const glm::vec3& position_m, const glm::vec3& 
     const glm::ivec3 low = glm::min(glm::ivec3(at), glm::max(lattice.count - 2, 0));
     const glm::vec3 part = at - glm::vec3(low);
     IrradianceSh between{};
+    float weights = 0.0F;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
         const glm::vec3 share = glm::mix(1.0F - part, part, glm::vec3(side));
-        const float weight = share.x * share.y * share.z;
-        if (!(weight > 0.0F)) continue;  // also what would lie beyond a single layer
-        const IrradianceSh& probe = probes[lattice.index(low + side)];
-        for (std::size_t i = 0; i < between.size(); ++i) between[i] += weight * probe[i];
+        const float part_of_it = share.x * share.y * share.z;
+        if (!(part_of_it > 0.0F)) continue;  // also what would lie beyond a single layer
+        const Probe& probe = probes[lattice.index(low + side)];
+        weights += part_of_it * probe.weight;
+        for (std::size_t i = 0; i < 9; ++i) between[i] += part_of_it * probe.weighted[i];
     }
-    return evaluate_irradiance(between, normal);
+    return evaluate_irradiance(between, normal) / weights;
 }
 
 void IrradianceGrid::round_to_halves() {
     constexpr float kMostHalf = 65504.0F;
-    for (IrradianceSh& probe : probes) {
-        for (glm::vec3& value : probe) {
+    for (Probe& probe : probes) {
+        for (glm::vec3& value : probe.weighted) {
             for (int i = 0; i < 3; ++i) {
                 value[i] = glm::unpackHalf1x16(
                     glm::packHalf1x16(std::clamp(value[i], -kMostHalf, kMostHalf)));
@@ -67,11 +71,12 @@ std::vector<std::uint64_t> texels_of(const IrradianceGrid& grid) {
     std::vector<std::uint64_t> texels;
     texels.reserve(grid.probes.size() * kTexelsOfProbe);
     for (int texel = 0; texel < kTexelsOfProbe; ++texel) {
-        for (const IrradianceSh& probe : grid.probes) {
-            glm::vec4 four(0.0F);
+        for (const Probe& probe : grid.probes) {
+            glm::vec4 four(probe.weight);
             for (int i = 0; i < 4; ++i) {
                 const int number = 4 * texel + i;
-                if (number < 27) four[i] = probe[static_cast<std::size_t>(number / 3)][number % 3];
+                if (number < 27)
+                    four[i] = probe.weighted[static_cast<std::size_t>(number / 3)][number % 3];
             }
             texels.push_back(glm::packHalf4x16(four));
         }

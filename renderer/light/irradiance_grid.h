@@ -13,7 +13,7 @@
 
 namespace obscura::renderer {
 
-/// Where probes stand: in the middles of equal boxes.
+/// Where probes stand.
 struct ProbeLattice {
     glm::ivec3 count{1};  ///< along each axis, at least 1 and at most kMostProbesAlong
     glm::vec3 first_m{0.0F};
@@ -35,23 +35,33 @@ struct ProbeLattice {
 };
 inline constexpr int kMostProbesAlong = 256;
 
-/// At most `most_probes` (> 0) over the bounds, in boxes about as wide as they are high and deep.
+/// At most `most_probes` (> 0) in the middles of equal boxes, about as wide as they are high and
+/// deep, that the bounds are parted into. Throws bad input for bounds that are not finite.
 [[nodiscard]] ProbeLattice probes_over(const Bounds& bounds, int most_probes);
 
-/// Irradiance that depends on where one stands: each probe's as spherical harmonics.
+/// A probe with its weight among others: that of one within a solid is so small that it counts
+/// where there are no others.
+struct Probe {
+    IrradianceSh weighted{};  ///< irradiance times the weight
+    float weight = 1.0F;      ///< 1, or kWeightWithin
+};
+inline constexpr float kWeightWithin = 1.0F / 4096.0F;
+
+/// Irradiance that depends on where one stands.
 struct IrradianceGrid {
     ProbeLattice lattice;
-    std::vector<IrradianceSh> probes;  ///< the x axis first, then y, then z
+    std::vector<Probe> probes;  ///< the x axis first, then y, then z
 
-    /// Irradiance / pi on a surface there with that unit normal, trilinear between probes: of the
-    /// place one step of the lattice further along the normal, so that no probe behind a surface
-    /// that faces along an axis has any part in it. Beyond the outermost probes it is theirs.
+    /// Irradiance / pi on a surface there with that unit normal, trilinear between probes by their
+    /// weights: of the place one step of the lattice further along the normal, so that no probe
+    /// behind a surface that faces along an axis has any part in it. Beyond the outermost probes it
+    /// is theirs.
     [[nodiscard]] glm::vec3 look_up(const glm::vec3& position_m, const glm::vec3& normal) const;
     /// Rounds all that is in it to half floats, as graphics cards get it.
     void round_to_halves();
 };
 
-/// Texels of four numbers that the nine coefficients of a probe take, the last number unused.
+/// Texels of four numbers that a probe takes: 27 of its coefficients, and its weight.
 inline constexpr int kTexelsOfProbe = 7;
 
 /// What a graphics card holds of such a lattice.

@@ -15,7 +15,7 @@ vec3 irradiance_of(vec3 sh[9], vec3 n) {
     return max(sum, vec3(0.0));
 }
 #ifdef IRRADIANCE_GRID
-uniform sampler3D t_probes;      // seven layers of all probes, four of their 27 numbers each
+uniform sampler3D t_probes;      // seven layers of all probes, four numbers of each
 uniform mat4 u_probe_from_view;  // to texels of a layer: the first probe stands at 0.5
 uniform vec3 u_probe_count;
 
@@ -32,7 +32,7 @@ vec3 irradiance(vec3 p, vec3 n) {
     vec3 sh[9] = vec3[9](c[0].xyz, vec3(c[0].w, c[1].xy), vec3(c[1].zw, c[2].x), c[2].yzw,
                          c[3].xyz, vec3(c[3].w, c[4].xy), vec3(c[4].zw, c[5].x), c[5].yzw,
                          c[6].xyz);
-    return irradiance_of(sh, along);
+    return irradiance_of(sh, along) / c[6].w;  // the weights that the numbers hold
 }
 #else
 uniform vec3 u_irradiance_sh[9];

@@ -132,10 +132,8 @@ struct IrradianceBaker::Traced {
     std::vector<SeesNext> sees_next;
     std::vector<Filled> filling;
 
-    void smooth_and_fill(std::vector<IrradianceSh>& probes) const {
-        smooth(lattice, sees_next, probes);
-        fill(filling, probes);
-    }
+    /// Of what each probe has for itself.
+    [[nodiscard]] std::vector<Probe> settled(std::vector<IrradianceSh> irradiance) const;
     [[nodiscard]] const ProbeHit* hits_of(int probe) const {
         return &hits[static_cast<std::size_t>(probe) * static_cast<std::size_t>(cells.size())];
     }
@@ -178,6 +176,17 @@ IrradianceBaker::Traced::Traced(const Scene& scene, const ProbeOptions& options)
     filling = filling_of(lattice, {in_the_open.begin(), in_the_open.end()});
 }
 
+std::vector<Probe> IrradianceBaker::Traced::settled(std::vector<IrradianceSh> irradiance) const {
+    smooth(lattice, sees_next, irradiance);
+    fill(filling, irradiance);
+    std::vector<Probe> probes(irradiance.size());
+    for (const Filled& one : filling) probes[one.probe].weight = kWeightWithin;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        add(probes[i].weighted, irradiance[i], probes[i].weight);
+    }
+    return probes;
+}
+
 IrradianceBaker::IrradianceBaker(std::shared_ptr<const Scene> scene, const ProbeOptions& options)
     : scene_(std::move(scene)), options_(options) {
     if (options.rows % 2 != 0) {
@@ -212,8 +221,7 @@ std::shared_ptr<const IrradianceGrid> IrradianceBaker::bake(const Lighting& ligh
             }
         }
     });
-    grid->probes = first;
-    traced.smooth_and_fill(grid->probes);
+    grid->probes = traced.settled(first);
     for (int bounce = 0; bounce < options_.bounces; ++bounce) {
         std::vector<IrradianceSh> next = first;
         base::in_parallel(count, options_.threads, [&](int probe) {
@@ -225,8 +233,7 @@ std::shared_ptr<const IrradianceGrid> IrradianceBaker::bake(const Lighting& ligh
                     hit->albedo * grid->look_up(hit->point_m, hit->normal));
             }
         });
-        grid->probes = std::move(next);
-        traced.smooth_and_fill(grid->probes);
+        grid->probes = traced.settled(std::move(next));
     }
     grid->round_to_halves();
     return grid;

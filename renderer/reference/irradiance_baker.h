@@ -32,9 +32,9 @@ class IrradianceBaker {
     IrradianceBaker& operator=(const IrradianceBaker&) = delete;
 
     /// A quarter or more of what a probe meets turned away from it, it stands inside of something:
-    /// it takes the mean of its neighbours, as often as it needs. Throws bad input for a light
-    /// without environment, a scene without a surface that rays could meet, or one without end.
-    /// One thread at a time.
+    /// it takes the mean of its neighbours, as often as it needs, and has hardly any weight. Throws
+    /// bad input for a light without environment, a scene without a surface that rays could meet,
+    /// or one without end. One thread at a time.
     [[nodiscard]] std::shared_ptr<const IrradianceGrid> bake(const Lighting& light);
 
   private:
