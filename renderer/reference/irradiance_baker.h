@@ -22,8 +22,9 @@ struct ProbeOptions {
 /// reflected diffusely. A probe and its neighbours look past each other, and each takes the mean
 /// with those that it sees, which leaves no stains where few rays find a small window. What rays
 /// meet is traced once, when the first light is baked, and serves every other light. The same bytes
-/// on every machine: Embree runs without fused multiplications, distances are computed here, and
-/// what is left is rounded to half floats.
+/// twice and on any number of threads. Embree runs the same kernels on every machine with AVX,
+/// without fused multiplications, which decide otherwise about rays that graze an edge; distances
+/// are computed here, and what is left is rounded to half floats.
 class IrradianceBaker {
   public:
     explicit IrradianceBaker(std::shared_ptr<const Scene> scene, const ProbeOptions& options = {});
