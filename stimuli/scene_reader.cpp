@@ -211,6 +211,7 @@ void SceneReader::read_settings(TableReader& reader, SceneSettings& settings, Pr
         if (!value) return std::nullopt;
         return static_cast<float>(*value);
     };
+    settings.irradiance_probes = reader.boolean("irradiance_probes", Need::kOptional);
     settings.exposure = factor("exposure");
     settings.white = factor("white");
     const auto curve =

@@ -67,8 +67,8 @@ void StimulusRenderer::load(const StudyScene& scene) {
 const renderer::Lighting& StimulusRenderer::lighting_of(const StudyScene& scene) {
     const auto known = lightings_.find(scene.id);
     if (known != lightings_.end()) return known->second;
-    renderer::Lighting lighting = with_settings(loaded_.opened.lighting(scene.validity),
-                                                scene.validity, scene.settings, study_.folder);
+    renderer::Lighting lighting = loaded_.opened.with_probes(with_settings(
+        loaded_.opened.lighting(scene.validity), scene.validity, scene.settings, study_.folder));
     return lightings_.emplace(scene.id, std::move(lighting)).first->second;
 }
 

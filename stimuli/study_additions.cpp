@@ -94,6 +94,9 @@ std::string with_scene(std::string_view text, const StudyScene& scene) {
     if (!settings.environment.empty()) {
         table += fmt::format("environment = {}\n", quoted(settings.environment.generic_string()));
     }
+    if (settings.irradiance_probes) {
+        table += fmt::format("irradiance_probes = {}\n", *settings.irradiance_probes);
+    }
     if (settings.exposure) table += fmt::format("exposure = {}\n", exact(*settings.exposure));
     if (settings.white) table += fmt::format("white = {}\n", exact(*settings.white));
     if (settings.tone_curve) {

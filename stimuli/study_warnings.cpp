@@ -66,6 +66,7 @@ std::vector<std::string> warnings_of(const Study& study) {
         const SceneSettings& settings = scene.settings;
         const bool low = scene.validity == Validity::kLow;
         unused(low && !settings.environment.empty(), "its environment has");
+        unused(low && settings.irradiance_probes.has_value(), "its irradiance_probes has");
         unused(scene.validity != Validity::kHigh && settings.has_lights(), "its lights have");
         unused(!low && settings.ambient.has_value(), "its ambient light has");
     }

@@ -64,7 +64,8 @@ std::vector<float> AoBuffers::rendered(const renderer::Camera& camera, const Var
         renderer_ = std::make_unique<renderer::Renderer>();
         gpu_ = std::make_unique<renderer::GpuScene>(*opened_.scene);
     }
-    const renderer::Lighting lighting = opened_.lighting(validity_);
+    renderer::Lighting lighting = opened_.lighting(validity_);
+    lighting.irradiance_probes = false;  // accessibility is the same with them
     const auto traced = [&](const renderer::Camera& from, int, int, const Variant& choice) {
         return trace(from, renderer::reference_options(choice)).accessibility;
     };

@@ -104,6 +104,7 @@ base::ExitCode export_scene(const SceneOptions& options) {
     std::vector<std::string> left_out;
     if (lighting.environment) {
         left_out.push_back(fmt::format("the environment ({})", lighting.environment->name));
+        if (lighting.wants_probes()) left_out.emplace_back("its irradiance at probes");
     } else {
         left_out.emplace_back("ambient light");
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands/image_size.h"
 #include "app/commands/scene_argument.h"
@@ -63,7 +64,7 @@ class Painter {
             variant.parameters[reach.name] =
                 std::clamp(stimuli::fitting_radius_m(camera), reach.low, reach.high);
         }
-        const renderer::Lighting lighting = opened_.lighting(validity_);
+        if (!lighting_) lighting_ = opened_.with_probes(opened_.lighting(validity_));
         const auto rays = [this]() -> const renderer::ReferenceScene& {
             if (!rays_) rays_ = std::make_unique<renderer::ReferenceScene>(*opened_.scene);
             return *rays_;
@@ -72,8 +73,9 @@ class Painter {
                                 const renderer::Variant& choice) {
             return rays().trace(from, w, h, renderer::reference_options(choice)).accessibility;
         };
-        return stimuli::image_of(renderer_.render(
-            {*gpu_, lighting, camera, {.supersampling = 2}, traced, rays}, variant, width, height));
+        return stimuli::image_of(
+            renderer_.render({*gpu_, *lighting_, camera, {.supersampling = 2}, traced, rays},
+                             variant, width, height));
     }
 
   private:
@@ -82,6 +84,7 @@ class Painter {
     stimuli::OpenedScene opened_;
     const renderer::Technique* technique_ = nullptr;
     stimuli::Validity validity_ = stimuli::Validity::kLow;
+    std::optional<renderer::Lighting> lighting_;
     std::unique_ptr<renderer::GpuScene> gpu_;
     std::unique_ptr<renderer::ReferenceScene> rays_;
 };

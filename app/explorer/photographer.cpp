@@ -60,8 +60,10 @@ void Photographer::load(const ShotRequest& request) {
     whole_.known = {};
     coarse_.known = {};
     light_key_.clear();
-    lighting_ = stimuli::with_settings(scene_->opened().lighting(wanted.validity), wanted.validity,
-                                       wanted.settings, request.choices.folder);
+    const stimuli::OpenedScene& opened = scene_->opened();
+    lighting_ =
+        opened.with_probes(stimuli::with_settings(opened.lighting(wanted.validity), wanted.validity,
+                                                  wanted.settings, request.choices.folder));
     light_key_ = key;
 }
 

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/base/error.h"
 #include "renderer/frame/job.h"
+#include "renderer/light/irradiance_grid.h"
 
 namespace obscura::renderer {
 
 Renderer::Defines Renderer::lighting_defines(const SceneNeeds& needs) {
     Defines defines;
     if (needs.environment) defines.emplace_back("ENVIRONMENT");
+    if (needs.irradiance_grid) defines.emplace_back("IRRADIANCE_GRID");
     if (needs.direct_light()) defines.emplace_back("DIRECT");
     if (needs.lights > 0) defines.push_back("LIGHTS " + std::to_string(needs.lights));
     if (needs.point_lights > 0) {
@@ -71,12 +75,28 @@ void set_point_lights(gl::Program& shader, const std::vector<PointLight>& lights
     shader.set("u_point_shadow_texel", texel);
 }
 
+void set_probes(gl::Program& shader, const ProbeLattice& lattice, const CameraMatrices& camera) {
+    // The difference first, in double precision: eye and probes may be far from the origin.
+    const glm::dvec3 eye =
+        (glm::dvec3(camera.eye_m) - glm::dvec3(lattice.first_m)) / glm::dvec3(lattice.step_m);
+    const glm::dmat3 world_from_view = glm::transpose(glm::dmat3(camera.view_from_world));
+    glm::dmat4 probe_from_view = glm::translate(glm::dmat4(1.0), eye + 0.5);
+    probe_from_view = glm::scale(probe_from_view, 1.0 / glm::dvec3(lattice.step_m));
+    shader.set("u_probe_from_view", glm::mat4(probe_from_view * glm::dmat4(world_from_view)));
+    shader.set("u_probe_count", glm::vec3(lattice.count));
+}
+
 }  // namespace
 
 void Renderer::set_lighting(Job& job, gl::Program& program) {
     const SceneNeeds& needs = job.plan.needs;
     program.set("u_world_from_view", job.world_from_view());
-    if (needs.environment) {
+    if (needs.irradiance_grid) {
+        const auto& grid = job.lighting.irradiance_grid;
+        if (!grid) throw base::failure("the light asks for probes, and none were baked for it");
+        bind(program, "t_probes", texture_of(grid).name(), 8);
+        set_probes(program, grid->lattice, job.camera);
+    } else if (needs.environment) {
         program.set("u_irradiance_sh",
                     std::span<const glm::vec3>(environment(job.lighting.environment).irradiance));
     }
@@ -99,7 +119,9 @@ void Renderer::run_light(Job& job) {
     job.set_view(shader);
     set_lighting(job, shader);
     bind(shader, "t_normal", job.frame.texture(Target::kNormal), 0);
-    if (needs.direct_light()) bind(shader, "t_depth", job.frame.texture(Target::kDepth), 1);
+    if (needs.direct_light() || needs.irradiance_grid) {
+        bind(shader, "t_depth", job.frame.texture(Target::kDepth), 1);
+    }
     constexpr GLfloat kDark[] = {0.0F, 0.0F, 0.0F, 0.0F};
     if (needs.environment) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kDark);
     if (needs.direct_light()) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kDark);

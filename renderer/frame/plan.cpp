@@ -71,6 +71,7 @@ SceneNeeds needs_of(const std::vector<Material>& materials, const Bounds& bounds
                     const Lighting& lighting) {
     SceneNeeds needs;
     needs.environment = lighting.environment != nullptr;
+    needs.irradiance_grid = lighting.wants_probes();
     needs.lights = static_cast<int>(lighting.lights.size());
     needs.point_lights = static_cast<int>(lighting.point_lights.size());
     needs.tone_mapping = lighting.tone_mapping.has_value();

@@ -48,6 +48,7 @@ struct LeftOut {
 /// What a scene and its light ask for; all that the plan knows of them.
 struct SceneNeeds {
     bool environment = false;
+    bool irradiance_grid = false;  ///< its irradiance depends on where one stands
     int lights = 0;
     int point_lights = 0;
     bool tone_mapping = false;

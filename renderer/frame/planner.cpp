@@ -81,6 +81,9 @@ class Planner {
 
     const SceneNeeds& needs() const { return plan_.needs; }
     [[nodiscard]] bool lit() const { return needs().environment || needs().direct_light(); }
+    [[nodiscard]] bool light_reads_depth() const {
+        return needs().direct_light() || needs().irradiance_grid;
+    }
     /// Whether the technique runs on fewer pixels than the other passes.
     [[nodiscard]] bool once_a_pixel() const {
         return accessibility_ && plan_.options.supersampling > 1;
@@ -176,7 +179,7 @@ void Planner::plan_geometry() {
     // Where the technique runs once a pixel, samples find their pixel by depth.
     const bool depth = all || recipe_.reads(Target::kDepth) ||
                        (denoised() && filter_.reads(Target::kDepth)) ||
-                       (!forward && (once_a_pixel() || needs().direct_light()));
+                       (!forward && (once_a_pixel() || light_reads_depth()));
     const bool read_normal = reads_normal();
     const bool copied =
         read_normal && !technique_has_its_own && plan_.variant.normal_format != "from-depth";
@@ -412,10 +415,13 @@ void Planner::plan_light() {
         return;
     }
     std::vector<Read> reads{Target::kNormal};
-    if (needs().direct_light()) reads.emplace_back(Target::kDepth);
+    if (light_reads_depth()) reads.emplace_back(Target::kDepth);
     if (needs().lights > 0) reads.emplace_back(Target::kShadow);
     if (needs().point_lights > 0) reads.emplace_back(Target::kPointShadow);
     pass(Phase::kLight, reads, light_);
+    if (needs().environment && !needs().irradiance_grid) {
+        leave_out("irradiance probes", "the light asks for none");
+    }
     if (!needs().specular) leave_out("specular", "no material or no light has any");
 }
 

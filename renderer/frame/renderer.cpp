@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/job.h"
 #include "renderer/gl/timestamps.h"
+#include "renderer/light/irradiance_grid.h"
 
 namespace obscura::renderer {
 namespace {
@@ -95,6 +96,25 @@ const Renderer::EnvironmentData& Renderer::environment(
         glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     }
     return data;
+}
+
+const gl::Texture& Renderer::texture_of(const std::shared_ptr<const IrradianceGrid>& source) {
+    gl::Texture& texture = grids_[source];
+    if (texture) return texture;
+    const glm::ivec3 count = source->lattice.count;
+    texture = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_3D));
+    const GLuint name = texture.name();
+    const GLsizei layers = kTexelsOfProbe * count.z;
+    glTextureStorage3D(name, 1, GL_RGBA16F, count.x, count.y, layers);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage3D(name, 0, 0, 0, 0, count.x, count.y, layers, GL_RGBA, GL_HALF_FLOAT,
+                        texels_of(*source).data());
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
+    }
+    return texture;
 }
 
 void Renderer::bind(gl::Program& program, const char* sampler, GLuint texture, int unit) {

@@ -65,6 +65,8 @@ class Renderer {
         IrradianceSh irradiance{};
     };
     const EnvironmentData& environment(const std::shared_ptr<const Environment>& source);
+    /// The probes as passes/lighting.glsl reads them.
+    const gl::Texture& texture_of(const std::shared_ptr<const IrradianceGrid>& source);
     const gl::Texture& texture_of(const NumberTable& table);
 
     void run_geometry(Job& job);
@@ -95,7 +97,8 @@ class Renderer {
     static Defines lighting_defines(const SceneNeeds& needs);
     /// The uniforms of passes/surface.glsl and the side that is drawn.
     void set_surface(Job& job, gl::Program& program, const Material& material);
-    /// The uniforms of passes/lighting.glsl; shadow maps are bound to units 6 and 7.
+    /// The uniforms of passes/lighting.glsl; shadow maps and probes are bound to units
+    /// 6 to 8.
     void set_lighting(Job& job, gl::Program& program);
     /// What is behind all surfaces, in the image that they are drawn into.
     void clear_to_background(Job& job);
@@ -125,6 +128,7 @@ class Renderer {
     std::map<std::string, std::unique_ptr<gl::Program>> programs_;
     std::map<std::string, gl::Texture> tables_;  ///< by their size and bytes
     std::map<std::shared_ptr<const Environment>, EnvironmentData> environments_;
+    std::map<std::shared_ptr<const IrradianceGrid>, gl::Texture> grids_;
     std::set<std::string> mismatches_;
 };
 

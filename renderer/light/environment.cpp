@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Real spherical harmonics of order 0 to 2, in the order of Ramamoorthi and Hanrahan 2001, eq. 3.
+}  // namespace
+
 std::array<double, 9> harmonics(const glm::dvec3& n) {
     return {0.282095,
             0.488603 * n.y,
@@ -27,8 +28,6 @@ std::array<double, 9> harmonics(const glm::dvec3& n) {
             1.092548 * n.x * n.z,
             0.546274 * (n.x * n.x - n.y * n.y)};
 }
-
-}  // namespace
 
 glm::vec3 direction_of_texel(const Environment& environment, int column, int row) {
     const double phi = 2.0 * kPi * (column + 0.5) / environment.width;
@@ -95,12 +94,8 @@ IrradianceSh project_irradiance(const Environment& environment) {
             for (int i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solid_angle);
         }
     }
-    // Convolution with the cosine (Ramamoorthi and Hanrahan 2001, eq. 8: A = pi, 2 pi/3, pi/4),
-    // divided by pi.
-    constexpr std::array<double, 9> kCosine = {1.0,  2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25,
-                                               0.25, 0.25,    0.25,    0.25};
     IrradianceSh sh;
-    for (int i = 0; i < 9; ++i) sh[i] = sum[i] * kCosine[i];
+    for (int i = 0; i < 9; ++i) sh[i] = sum[i] * kCosineLobe[i];
     return sh;
 }
 

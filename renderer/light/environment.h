@@ -44,6 +44,13 @@ struct SkyColours {
 /// Nine coefficients of irradiance / pi, so that evaluating them along a normal gives the radiance
 /// that a white diffuse surface sends out (Ramamoorthi and Hanrahan 2001, equations 9 to 13).
 using IrradianceSh = std::array<glm::vec3, 9>;
+/// Real spherical harmonics of order 0 to 2 along a unit vector, in the order of the coefficients
+/// (Ramamoorthi and Hanrahan 2001, equation 3).
+[[nodiscard]] std::array<double, 9> harmonics(const glm::dvec3& direction);
+/// What each coefficient of radiance becomes in irradiance / pi by convolution with the cosine (the
+/// same, equation 8: A = pi, 2 pi/3, pi/4; divided by pi).
+inline constexpr std::array<double, 9> kCosineLobe = {1.0,  2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25,
+                                                      0.25, 0.25,    0.25,    0.25};
 [[nodiscard]] IrradianceSh project_irradiance(const Environment& environment);
 
 /// Irradiance / pi on a surface with that unit normal.

@@ -15,6 +15,8 @@
 
 namespace obscura::renderer {
 
+struct IrradianceGrid;
+
 /// Parallel light, as from the sun.
 struct DirectionalLight {
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};  ///< unit length, from the surface to the light
@@ -72,10 +74,18 @@ struct Lighting {
     glm::vec3 ambient{1.0F};     ///< radiance from everywhere, used where there is no environment
     glm::vec3 background{1.0F};  ///< linear colour of empty pixels, where there is no environment
     std::shared_ptr<const Environment> environment;  ///< irradiance and skybox
-    std::vector<DirectionalLight> lights;            ///< each casts shadows
-    std::vector<PointLight> point_lights;            ///< each casts shadows
+    /// Whether the environment's irradiance depends on where one stands; without an environment it
+    /// means nothing.
+    bool irradiance_probes = false;
+    /// Baked for that light and scene (reference/irradiance_baker.h) before anything is drawn.
+    std::shared_ptr<const IrradianceGrid> irradiance_grid;
+    std::vector<DirectionalLight> lights;  ///< each casts shadows
+    std::vector<PointLight> point_lights;  ///< each casts shadows
     bool normal_mapping = false;
     std::optional<ToneMapping> tone_mapping;
+
+    /// Whether a grid is asked for.
+    [[nodiscard]] bool wants_probes() const { return environment != nullptr && irradiance_probes; }
 };
 
 }  // namespace obscura::renderer

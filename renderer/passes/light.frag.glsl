@@ -17,11 +17,15 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     vec4 code = texelFetch(t_normal, here, 0);
     vec3 n = decode_normal(code.xyz);
+#if defined(DIRECT) || defined(IRRADIANCE_GRID)
+    vec3 p = view_ray(gl_FragCoord.xy / u_size) * texelFetch(t_depth, here, 0).r;
+#else
+    vec3 p = vec3(0.0);  // nothing depends on it
+#endif
 #ifdef ENVIRONMENT
-    o_ambient = vec4(irradiance(u_world_from_view * n), 1.0);
+    o_ambient = vec4(irradiance(p, n), 1.0);
 #endif
 #ifdef DIRECT
-    vec3 p = view_ray(gl_FragCoord.xy / u_size) * texelFetch(t_depth, here, 0).r;
     o_direct = direct_light(p, n, code.a * 255.0);
 #endif
 }

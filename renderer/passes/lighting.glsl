@@ -1,23 +1,44 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point of a surface, all in view space. ENVIRONMENT, LIGHTS n,
-// POINT_LIGHTS n, SPECULAR; DIRECT where there is a light of either kind.
+// Light that arrives at a point of a surface, all in view space. ENVIRONMENT, with it
+// IRRADIANCE_GRID; LIGHTS n, POINT_LIGHTS n, SPECULAR; DIRECT where there is a light of either kind.
 uniform mat3 u_world_from_view;  // rotation only
 #ifdef ENVIRONMENT
-uniform vec3 u_irradiance_sh[9];
-
-// Ramamoorthi and Hanrahan 2001, equation 3; the coefficients already hold the cosine.
-vec3 irradiance(vec3 n) {
-    vec3 sum = u_irradiance_sh[0] * 0.282095;
-    sum += (u_irradiance_sh[1] * n.y + u_irradiance_sh[2] * n.z + u_irradiance_sh[3] * n.x) *
-           0.488603;
-    sum += (u_irradiance_sh[4] * (n.x * n.y) + u_irradiance_sh[5] * (n.y * n.z) +
-            u_irradiance_sh[7] * (n.x * n.z)) *
-           1.092548;
-    sum += u_irradiance_sh[6] * (0.315392 * (3.0 * n.z * n.z - 1.0));
-    sum += u_irradiance_sh[8] * (0.546274 * (n.x * n.x - n.y * n.y));
+// Ramamoorthi and Hanrahan 2001, equation 3, along a normal in the world; the coefficients already
+// hold the cosine.
+vec3 irradiance_of(vec3 sh[9], vec3 n) {
+    vec3 sum = sh[0] * 0.282095;
+    sum += (sh[1] * n.y + sh[2] * n.z + sh[3] * n.x) * 0.488603;
+    sum += (sh[4] * (n.x * n.y) + sh[5] * (n.y * n.z) + sh[7] * (n.x * n.z)) * 1.092548;
+    sum += sh[6] * (0.315392 * (3.0 * n.z * n.z - 1.0));
+    sum += sh[8] * (0.546274 * (n.x * n.x - n.y * n.y));
     return max(sum, vec3(0.0));
 }
+#ifdef IRRADIANCE_GRID
+uniform sampler3D t_probes;      // seven layers of all probes, four numbers of each
+uniform mat4 u_probe_from_view;  // to texels of a layer: the first probe stands at 0.5
+uniform vec3 u_probe_count;
+
+// One step of the grid further along the normal: no probe behind a surface has any part in it.
+vec3 irradiance(vec3 p, vec3 n) {
+    vec3 along = u_world_from_view * n;
+    vec3 at = (u_probe_from_view * vec4(p, 1.0)).xyz + along;
+    at = clamp(at, vec3(0.5), u_probe_count - 0.5);
+    vec3 texel = 1.0 / (u_probe_count * vec3(1.0, 1.0, 7.0));
+    vec4 c[7];
+    for (int i = 0; i < 7; ++i) {
+        c[i] = textureLod(t_probes, vec3(at.xy, at.z + float(i) * u_probe_count.z) * texel, 0.0);
+    }
+    vec3 sh[9] = vec3[9](c[0].xyz, vec3(c[0].w, c[1].xy), vec3(c[1].zw, c[2].x), c[2].yzw,
+                         c[3].xyz, vec3(c[3].w, c[4].xy), vec3(c[4].zw, c[5].x), c[5].yzw,
+                         c[6].xyz);
+    return irradiance_of(sh, along) / c[6].w;  // the weights that the numbers hold
+}
+#else
+uniform vec3 u_irradiance_sh[9];
+
+vec3 irradiance(vec3 p, vec3 n) { return irradiance_of(u_irradiance_sh, u_world_from_view * n); }
+#endif
 #endif
 
 #ifdef DIRECT

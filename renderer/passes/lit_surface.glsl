@@ -14,7 +14,7 @@ vec3 lit_surface(float open, float alpha) {
     vec3 n = surface_normal();
     vec3 albedo = surface_albedo();
 #ifdef ENVIRONMENT
-    vec3 light = irradiance(u_world_from_view * n);
+    vec3 light = irradiance(v_view_position, n);
 #else
     vec3 light = u_ambient;
 #endif

@@ -145,9 +145,14 @@ bool RayScene::Geometry::covers(unsigned primitive, float u, float v) const {
     return bilinear(*this, uv.x, uv.y) * opacity >= alpha_cutoff;
 }
 
-RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
+const std::string& RayScene::sha256() const {
+    std::call_once(hashed_, [this] { sha256_ = hash_of(geometries_, origin_m_); });
+    return sha256_;
+}
+
+RayScene::RayScene(const Scene& scene, Kernels kernels) : origin_m_(origin_of(scene)) {
     std::size_t left = 0;
-    device_ = rtcNewDevice(nullptr);
+    device_ = rtcNewDevice(kernels == Kernels::kFastest ? nullptr : "max_isa=avx");
     if (device_ == nullptr) {
         throw base::failure("Embree cannot start: error {}",
                             static_cast<int>(rtcGetDeviceError(nullptr)));
@@ -155,8 +160,10 @@ RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
     scene_ = rtcNewScene(device_);
     try {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-        for (const Mesh& mesh : scene.meshes) add(scene, mesh);
+        // Many rays pay for a better tree; those of probes are few.
+        rtcSetSceneBuildQuality(scene_, kernels == Kernels::kFastest ? RTC_BUILD_QUALITY_HIGH
+                                                                     : RTC_BUILD_QUALITY_MEDIUM);
+        for (std::size_t i = 0; i < scene.meshes.size(); ++i) add(scene, i);
         for (const auto& geometry : geometries_) left += geometry->indices.size() / 3;
         if (skipped_ > 0) {
             // Nobody can see a triangle without area; coordinates that are no numbers are a
@@ -175,7 +182,6 @@ RayScene::RayScene(const Scene& scene) : origin_m_(origin_of(scene)) {
             throw base::failure("Embree cannot build scene {} ({} triangles): error {}", scene.name,
                                 left, static_cast<int>(error));
         }
-        sha256_ = hash_of(geometries_, origin_m_);
     } catch (...) {
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
@@ -188,11 +194,13 @@ RayScene::~RayScene() {
     rtcReleaseDevice(device_);
 }
 
-void RayScene::add(const Scene& scene, const Mesh& mesh) {
+void RayScene::add(const Scene& scene, std::size_t number) {
+    const Mesh& mesh = scene.meshes[number];
     check_mesh(scene, mesh);
     const Material& material = scene.materials[mesh.material];
     if (material.coverage == Coverage::kBlended) return;
     auto geometry = std::make_unique<Geometry>();
+    geometry->mesh = number;
     geometry->single_sided = !material.double_sided;
     geometry->cut_out = material.coverage == Coverage::kCutOut;
     for (const Vertex& vertex : mesh.vertices) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,11 @@ inline constexpr unsigned kFlushDenormals = 0x8040;
 /// shift is chosen so that it rounds nothing.
 class RayScene {
   public:
-    explicit RayScene(const Scene& scene);
+    /// Which of its instructions Embree may use: all that the machine has, or none that fuse a
+    /// multiplication with an addition, so that every machine meets the same triangles.
+    enum class Kernels { kFastest, kWithoutFusedMultiplication };
+
+    explicit RayScene(const Scene& scene, Kernels kernels = Kernels::kFastest);
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
@@ -44,7 +49,8 @@ class RayScene {
 
     [[nodiscard]] RTCScene embree() const { return scene_; }
     [[nodiscard]] const glm::dvec3& origin_m() const { return origin_m_; }
-    [[nodiscard]] const std::string& sha256() const { return sha256_; }
+    /// Of everything that rays can meet; computed when it is first asked for.
+    [[nodiscard]] const std::string& sha256() const;
     [[nodiscard]] std::size_t skipped() const { return skipped_; }
     [[nodiscard]] Triangle triangle(unsigned geometry, unsigned primitive) const;
 
@@ -55,6 +61,7 @@ class RayScene {
         std::vector<glm::vec3> normals;
         std::vector<glm::vec2> uvs;          ///< of a cut-out only
         std::vector<std::uint32_t> indices;  ///< three a triangle
+        std::size_t mesh = 0;                ///< index into Scene::meshes
         bool single_sided = true;
         bool cut_out = false;
         float opacity = 1.0F;
@@ -71,7 +78,7 @@ class RayScene {
     [[nodiscard]] const Geometry& geometry(unsigned number) const { return *geometries_[number]; }
 
   private:
-    void add(const Scene& scene, const Mesh& mesh);
+    void add(const Scene& scene, std::size_t number);
     void attach(std::unique_ptr<Geometry> geometry);
 
     RTCDevice device_ = nullptr;
@@ -80,7 +87,8 @@ class RayScene {
     std::vector<std::unique_ptr<Geometry>> geometries_;  ///< by Embree's geomID
     std::size_t skipped_ = 0;                            ///< triangles: those without area, and
     std::size_t broken_ = 0;  ///< those with coordinates that are not finite
-    std::string sha256_;
+    mutable std::once_flag hashed_;
+    mutable std::string sha256_;
 };
 
 }  // namespace obscura::renderer

@@ -11,6 +11,7 @@
 
 #include "renderer/frame/plan.h"
 #include "renderer/light/shadow.h"
+#include "renderer/reference/irradiance_baker.h"
 #include "renderer/scene/surface_conversion.h"
 #include "stimuli/scenes/backs.h"
 
@@ -130,11 +131,19 @@ std::string cameras_text(const Scene& scene) {
     return text;
 }
 
-std::string light_text(const renderer::Lighting& light) {
+std::string probes_text(const Scene& scene) {
+    const renderer::ProbeLattice lattice = renderer::probes_of(scene);
+    return fmt::format("irradiance of {}x{}x{} probes, {} m apart, {}", lattice.count.x,
+                       lattice.count.y, lattice.count.z, vector_text(lattice.step_m),
+                       bytes_text(renderer::bytes_on_gpu(lattice)));
+}
+
+std::string light_text(const Scene& scene, const renderer::Lighting& light) {
     std::vector<std::string> parts;
     if (light.environment) {
         parts.push_back(fmt::format("environment {} {}x{}", light.environment->name,
                                     light.environment->width, light.environment->height));
+        if (light.wants_probes()) parts.push_back(probes_text(scene));
     } else {
         parts.push_back(fmt::format("ambient {}", vector_text(light.ambient)));
     }
@@ -160,7 +169,8 @@ std::string level_text(const OpenedScene& scene, Validity level, const renderer:
     const renderer::Lighting light = scene.lighting(level);
     const renderer::FramePlan plan =
         renderer::plan_frame(renderer::needs_of(*scene.scene, light), choice, width, height);
-    std::string text = fmt::format("level {}: {}\n", to_string(level), light_text(light));
+    std::string text =
+        fmt::format("level {}: {}\n", to_string(level), light_text(*scene.scene, light));
     std::vector<std::string> passes;
     for (const renderer::PlannedPass& pass : plan.passes) {
         if (passes.empty() || passes.back() != pass.name) passes.push_back(pass.name);

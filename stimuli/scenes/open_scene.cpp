@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/reference/irradiance_baker.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -120,6 +121,11 @@ const renderer::Camera& OpenedScene::camera(const std::string& name) const {
     throw base::bad_input("scene {} has no camera \"{}\"; it has {}", title, name, known);
 }
 
+renderer::Lighting OpenedScene::with_probes(renderer::Lighting light) const {
+    if (light.wants_probes() && !light.irradiance_grid) light.irradiance_grid = baker->bake(light);
+    return light;
+}
+
 Validity OpenedScene::level(const std::string& name) const {
     std::string known;
     for (const Validity level : levels) {
@@ -155,6 +161,7 @@ OpenedScene open_scene(const std::string& id_or_file, const SceneSettings& setti
         opened = open_builtin(*builtin);
     }
     add_settings(opened, settings, folder);
+    opened.baker = std::make_shared<renderer::IrradianceBaker>(opened.scene);
     return opened;
 }
 
@@ -179,6 +186,10 @@ renderer::Lighting with_settings(renderer::Lighting lighting, Validity validity,
         lighting.environment = std::make_shared<renderer::Environment>(
             renderer::load_environment(folder / settings.environment));
         if (!lighting.tone_mapping) lighting.tone_mapping.emplace();
+    }
+    if (validity != Validity::kLow) {
+        lighting.irradiance_probes =
+            settings.irradiance_probes.value_or(lighting.irradiance_probes);
     }
     if (validity == Validity::kHigh && settings.has_lights()) {
         lighting.lights = settings.lights;

@@ -12,6 +12,10 @@
 #include "stimuli/scenes/builtin_scene.h"
 #include "stimuli/scenes/scene_settings.h"
 
+namespace obscura::renderer {
+class IrradianceBaker;
+}
+
 namespace obscura::stimuli {
 
 /// A scene ready to be rendered, wherever it came from.
@@ -24,8 +28,13 @@ struct OpenedScene {
     std::vector<Validity> levels;    ///< those that there is light for
     std::vector<std::string> notes;  ///< what is not shown, or otherwise than the file says
     std::vector<renderer::ImportedFile> files;  ///< that it was read from; none when built in
-    /// The light at one of `levels`.
+    /// The light at one of `levels`; with_probes() before it is drawn.
     std::function<renderer::Lighting(Validity)> lighting;
+    std::shared_ptr<renderer::IrradianceBaker> baker;
+
+    /// The light with the probes that it asks for, baked from the scene now: what they meet once
+    /// for all lights. One thread at a time. Throws as IrradianceBaker::bake does.
+    [[nodiscard]] renderer::Lighting with_probes(renderer::Lighting light) const;
 
     /// The camera of that name, the first one for "". Throws bad input naming those there are.
     [[nodiscard]] const renderer::Camera& camera(const std::string& name = {}) const;

@@ -26,6 +26,7 @@ std::string to_json(const SceneSettings& settings) {
                           {"far_m", camera.far_m}};
     }
     if (!settings.environment.empty()) json["environment"] = settings.environment.string();
+    if (settings.irradiance_probes) json["irradiance_probes"] = *settings.irradiance_probes;
     if (settings.exposure) json["exposure"] = *settings.exposure;
     if (settings.white) json["white"] = *settings.white;
     if (settings.tone_curve) json["tone_mapping"] = to_string(*settings.tone_curve);

@@ -19,8 +19,10 @@ struct SceneSettings {
     double scale = 1.0;  ///< metres of one unit of a file; built-in scenes are in metres
     std::optional<renderer::Camera> camera;  ///< a view of the study's own
     std::filesystem::path environment;       ///< Radiance HDR or OpenEXR; empty: none given
-    std::optional<float> exposure;           ///< > 0
-    std::optional<float> white;              ///< > 0
+    /// Whether the environment's irradiance depends on where one stands.
+    std::optional<bool> irradiance_probes;
+    std::optional<float> exposure;  ///< > 0
+    std::optional<float> white;     ///< > 0
     std::optional<renderer::ToneCurve> tone_curve;
     std::optional<glm::vec3> ambient;  ///< radiance, >= 0
     std::vector<renderer::DirectionalLight> lights;

@@ -48,7 +48,9 @@ SceneSource source_of(OpenedScene scene, const std::string& source) {
     found.levels = opened->levels;
     found.notes = opened->notes;
     found.build = [opened] { return *opened->scene; };
-    found.lighting = opened->lighting;
+    found.lighting = [opened](Validity level) {
+        return opened->with_probes(opened->lighting(level));
+    };
     return found;
 }
 

@@ -15,6 +15,7 @@ using tests::choice_of;
 SceneNeeds high_needs() {
     SceneNeeds needs;
     needs.environment = true;
+    needs.irradiance_grid = true;
     needs.lights = 1;
     needs.tone_mapping = true;
     needs.normal_mapping = true;

@@ -90,6 +90,7 @@ constexpr std::string_view kWhole =
     R"(camera = { position_m = [4, 3, 5], target_m = [0, 0.5, 0], vertical_fov_deg = 40, near_m = 0.2, far_m = 40 }
 validity = "high"
 scale = 0.5
+irradiance_probes = true
 exposure = 1.5
 tone_mapping = "filmic"
 white = 6
@@ -116,6 +117,7 @@ TEST_F(SceneStudy, EveryKeyOfASceneIsRead) {
     EXPECT_EQ(settings.camera->position_m, glm::vec3(4.0F, 3.0F, 5.0F));
     EXPECT_FLOAT_EQ(settings.camera->vertical_fov_rad, glm::radians(40.0F));
     EXPECT_FLOAT_EQ(settings.camera->far_m, 40.0F);
+    EXPECT_EQ(settings.irradiance_probes, true);
     EXPECT_EQ(settings.exposure, 1.5F);
     EXPECT_EQ(settings.white, 6.0F);
     EXPECT_EQ(settings.tone_curve, renderer::ToneCurve::kFilmic);
@@ -207,10 +209,15 @@ TEST_F(SceneStudy, TheLevelDecidesWhatOfTheLightIsUsed) {
     EXPECT_EQ(opened.levels.size(), 3U);
     const renderer::Lighting low = opened.lighting(Validity::kLow);
     EXPECT_FALSE(low.environment);
+    EXPECT_FALSE(low.wants_probes());
     EXPECT_TRUE(low.lights.empty() && low.point_lights.empty());
     EXPECT_EQ(low.ambient, glm::vec3(0.5F, 0.6F, 0.7F));
     const renderer::Lighting moderate = opened.lighting(Validity::kModerate);
     EXPECT_TRUE(moderate.environment);
+    EXPECT_TRUE(moderate.wants_probes());
+    EXPECT_FALSE(moderate.irradiance_grid);
+    EXPECT_TRUE(opened.with_probes(moderate).irradiance_grid);
+    EXPECT_FALSE(opened.with_probes(low).irradiance_grid);
     EXPECT_TRUE(moderate.lights.empty() && moderate.point_lights.empty());
     const renderer::Lighting high = opened.lighting(Validity::kHigh);
     EXPECT_TRUE(high.environment);

@@ -44,22 +44,25 @@ renderer::Lighting lighting(Validity validity) {
     // Across the court from the left, steep enough to reach the floor and one arcade.
     const vec3 towards_sun = glm::normalize(vec3(-0.36F, 1.0F, 0.2F));
     renderer::SkyColours sky;
-    sky.zenith = {0.50F, 0.68F, 1.05F};
-    sky.horizon = {0.62F, 0.63F, 0.66F};
-    sky.ground = {0.40F, 0.33F, 0.25F};  // sunlit stone below
-    sky.sun_glow = {1.5F, 1.25F, 0.9F};
+    sky.zenith = {0.70F, 0.95F, 1.47F};
+    sky.horizon = {0.87F, 0.88F, 0.92F};
+    sky.ground = {0.56F, 0.46F, 0.35F};  // sunlit stone below
+    sky.sun_glow = {2.1F, 1.75F, 1.26F};
     sky.towards_sun = towards_sun;
     sky.cloud_cover = 0.5F;
     sky.seed = 3;
     renderer::Lighting light;
     light.environment = std::make_shared<renderer::Environment>(renderer::make_sky(sky));
+    // A court sees a quarter of the sky and its arcades less: as bright as the eye gets used to.
+    light.irradiance_probes = true;
+    light.tone_mapping = renderer::ToneMapping{4.7F, 6.0F};
     if (validity == Validity::kHigh) {
         renderer::DirectionalLight sun;
         sun.towards_light = towards_sun;
         sun.irradiance = vec3(1.0F, 0.92F, 0.78F) * 13.0F;
         light.lights.push_back(sun);
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.25F, 5.0F};
+        light.tone_mapping = renderer::ToneMapping{2.0F, 6.5F};
     }
     return light;
 }

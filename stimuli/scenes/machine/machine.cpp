@@ -53,10 +53,12 @@ renderer::Lighting lighting(Validity validity) {
     for (int row = 0; row < surroundings->height; ++row) {
         for (int column = 0; column < surroundings->width; ++column) {
             surroundings->radiance.push_back(
-                hall_radiance(renderer::direction_of_texel(*surroundings, column, row)));
+                1.4F * hall_radiance(renderer::direction_of_texel(*surroundings, column, row)));
         }
     }
     light.environment = std::move(surroundings);
+    light.irradiance_probes = true;
+    light.tone_mapping = renderer::ToneMapping{1.5F, 4.0F};
     if (validity == Validity::kHigh) {
         light.lights = {
             {glm::normalize(vec3(-0.42F, 0.52F, 0.74F)), vec3(1.0F, 0.93F, 0.80F) * 9.0F}};

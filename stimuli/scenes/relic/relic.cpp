@@ -97,8 +97,8 @@ renderer::Scene build() {
         scene.meshes[static_cast<std::size_t>(i)] = std::move(mesh);
     });
     scene.meshes.push_back(stand());
-    // The first shows all of the piece, 1.15 m high, near enough for its scales to be seen one by
-    // one; the others the same from farther, and its head.
+    // The first shows all of the piece, 1.15 m high, from where it covers the most of the image (a
+    // search over directions and distances): a quarter. The others its other side, and its head.
     const auto camera = [](const char* name, glm::vec3 from, glm::vec3 at, float fov_rad) {
         renderer::Camera result;
         result.name = name;
@@ -109,7 +109,7 @@ renderer::Scene build() {
         result.far_m = 10.0F;
         return result;
     };
-    scene.cameras = {camera("front", {-0.88F, 1.11F, 1.38F}, {0.02F, 0.475F, 0.02F}, 0.91F),
+    scene.cameras = {camera("front", {0.75F, 0.98F, 2.30F}, {0.0F, 0.507F, 0.0F}, 0.592F),
                      camera("side", {-2.9F, 0.95F, 1.2F}, {0.0F, 0.55F, 0.0F}, 0.50F),
                      camera("head", {-0.75F, 1.05F, 1.35F}, {-0.16F, 0.90F, 0.12F}, 0.42F)};
     return scene;

@@ -35,21 +35,16 @@ vec3 outdoors(const vec3& way) {
     const float leaves = fbm(glm::vec2(turn * 22.0F, way.y * 26.0F), 62, 4);
     const vec3 sky = glm::mix(vec3(2.3F, 2.35F, 2.4F), vec3(1.6F, 1.9F, 2.4F),
                               glm::clamp(1.4F * way.y, 0.0F, 1.0F));
-    const vec3 tree = vec3(0.30F, 0.42F, 0.17F) * (1.0F + 0.9F * leaves);
+    const vec3 tree = vec3(0.33F, 0.40F, 0.23F) * (1.0F + 0.9F * leaves);
     const float covered = glm::smoothstep(0.03F, -0.03F, way.y - crown - 0.05F * leaves);
     return glm::mix(sky, glm::max(tree, vec3(0.05F)), covered);
 }
 
-/// What the middle of the room sees: the window, pale walls and ceiling, a floor of oak.
-vec3 room_radiance(const vec3& way) {
-    const vec3 wall(0.78F, 0.74F, 0.67F);
-    const vec3 floor(0.52F, 0.46F, 0.40F);
-    const vec3 ceiling(0.92F, 0.90F, 0.86F);
-    vec3 inside = glm::mix(floor, wall, glm::smoothstep(-0.6F, 0.0F, way.y));
-    inside = glm::mix(inside, ceiling, glm::smoothstep(0.3F, 0.8F, way.y));
-    const float window =
-        glm::smoothstep(0.25F, 0.55F, -way.x) * glm::smoothstep(0.85F, 0.6F, std::abs(way.y));
-    return glm::mix(inside, outdoors(way), window);
+/// Beyond the window; below, the light that a lawn sends up.
+vec3 radiance_of(const vec3& way) {
+    constexpr float kOfDay = 3.0F;  // with the sun's at the level high
+    const vec3 lawn(0.52F, 0.50F, 0.40F);
+    return kOfDay * glm::mix(lawn, outdoors(way), glm::smoothstep(-0.35F, -0.1F, way.y));
 }
 
 renderer::Lighting lighting(Validity validity) {
@@ -61,11 +56,14 @@ renderer::Lighting lighting(Validity validity) {
     for_each_row(512, [&](int row) {
         for (int column = 0; column < 1024; ++column) {
             surroundings->radiance[static_cast<std::size_t>(row * 1024 + column)] =
-                room_radiance(renderer::direction_of_texel(*surroundings, column, row));
+                radiance_of(renderer::direction_of_texel(*surroundings, column, row));
         }
     });
     renderer::Lighting light;
     light.environment = std::move(surroundings);
+    // What comes through the window, and from there off walls and floor.
+    light.irradiance_probes = true;
+    light.tone_mapping = renderer::ToneMapping{10.5F, 8.0F};
     if (validity == Validity::kHigh) {
         light.lights = {
             {glm::normalize(vec3(-0.80F, 0.60F, 0.20F)), vec3(1.0F, 0.90F, 0.74F) * 7.5F}};
@@ -78,7 +76,7 @@ renderer::Lighting lighting(Validity validity) {
         lamp.outer_cone_rad = 1.15F;
         light.point_lights = {lamp};
         light.normal_mapping = true;
-        light.tone_mapping = renderer::ToneMapping{1.45F, 4.0F};
+        light.tone_mapping = renderer::ToneMapping{8.0F, 8.0F};
     }
     return light;
 }

@@ -41,6 +41,10 @@ void put_walls(Assembly& study) {
     put_surface(study, Surface::kWall,
                 rectangle({kLeft, kHeight, kBack}, {w, 0.0F, 0.0F}, {0.0F, 0.0F, d}), 6U,
                 vec3(1.0F));
+    // What lies on the ceiling: the sun's shadow map is too coarse to keep it off the cornice by a
+    // plane alone.
+    study.put(Surface::kWall, bevelled_box({w + 0.2F, 0.11F, d + 0.2F}, 0.004F),
+              moved(0.5F * (kLeft + kRight), kHeight + 0.06F, 0.5F * (kFront + kBack)), 7U);
 }
 
 /// ProfileFrame, two casements of four panes each, a board inside below.
