@@ -283,6 +283,17 @@ TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
     EXPECT_THAT(warnings_of(load_study("jakobsen2010")), testing::IsEmpty());
 }
 
+TEST(StudyWarnings, OfAFileAreSaidOnceHoweverManyScenesShowIt) {
+    Study study;
+    for (const char* id : {"dusk", "day"}) {
+        study.scenes.push_back({.id = id, .source = "hall.glb", .notes = {"no reflections"}});
+    }
+    study.scenes.push_back({.id = "night", .source = "other.glb", .notes = {"no reflections"}});
+    EXPECT_THAT(warnings_of(study),
+                testing::ElementsAre("scenes \"dusk\", \"day\": hall.glb: no reflections",
+                                     "scene \"night\": other.glb: no reflections"));
+}
+
 TEST_F(SceneStudy, WhatACameraSeesFromBehindIsWarnedOfForTheCameraInUse) {
     const auto warnings_from = [this](const char* position) {
         const StudyReading reading = read(fmt::format(
