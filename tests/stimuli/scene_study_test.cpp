@@ -285,10 +285,13 @@ TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
 
 TEST(StudyWarnings, OfAFileAreSaidOnceHoweverManyScenesShowIt) {
     Study study;
-    for (const char* id : {"dusk", "day"}) {
-        study.scenes.push_back({.id = id, .source = "hall.glb", .notes = {"no reflections"}});
+    for (const auto& [id, file] :
+         {std::pair("dusk", "hall.glb"), {"day", "hall.glb"}, {"night", "other.glb"}}) {
+        StudyScene& scene = study.scenes.emplace_back();
+        scene.id = id;
+        scene.source = file;
+        scene.notes = {"no reflections"};
     }
-    study.scenes.push_back({.id = "night", .source = "other.glb", .notes = {"no reflections"}});
     EXPECT_THAT(warnings_of(study),
                 testing::ElementsAre("scenes \"dusk\", \"day\": hall.glb: no reflections",
                                      "scene \"night\": other.glb: no reflections"));
