@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 
 /// How long a statement waits for another process that is writing.
 constexpr int kBusyTimeoutS = 10;
+/// The lock of Turn, among a database's own: the letters "obsc".
+constexpr int kTurnNumber = 0x6f627363;
 /// The low byte of an extended result code (https://www.sqlite.org/rescode.html).
 constexpr int kPrimaryCode = 0xff;
 
@@ -328,6 +330,27 @@ base::Error Database::translated_of_server(std::string_view doing,
                                name_, reason);
     }
     return base::failure("cannot {} the store {}: {}", doing, name_, reason);
+}
+
+Turn::Turn(Database& database) : database_(database) {
+    if (database_.system() != Database::System::kPostgresql) return;
+    database_.execute("SET lock_timeout = '2s'");
+    try {
+        database_.execute(fmt::format("SELECT pg_advisory_lock({})", kTurnNumber));
+        taken_ = true;
+    } catch (const soci::postgresql_soci_error& error) {
+        if (error.sqlstate() != "55P03") throw;  // lock_not_available
+    }
+    database_.execute("SET lock_timeout = 0");
+}
+
+Turn::~Turn() {
+    if (!taken_) return;
+    try {
+        database_.execute(fmt::format("SELECT pg_advisory_unlock({})", kTurnNumber));
+    } catch (const soci::soci_error&) {
+        // The connection is gone, and its locks with it.
+    }
 }
 
 Transaction::Transaction(Database& database) : database_(database) {

@@ -62,6 +62,7 @@ class Database {
   private:
     friend class ReadTransaction;
     friend class Transaction;
+    friend class Turn;
 
     [[nodiscard]] base::Error translated(std::string_view doing,
                                          const soci::soci_error& error) const;
@@ -82,6 +83,21 @@ class Database {
     bool connected_ = false;  ///< has been; to a server
     soci::session session_;
     soci::session* reading_ = nullptr;  ///< what the ReadTransaction that is open reads
+};
+
+/// PostgreSQL: a scope in which no other kiosk changes the store, so that transactions seldom meet
+/// and each has its turn; it ends with the connection too. Who has waited for two seconds goes on
+/// without: what meets then is told to try again. SQLite has its own lock, of a transaction.
+class Turn {
+  public:
+    explicit Turn(Database& database);
+    ~Turn();
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+  private:
+    Database& database_;
+    bool taken_ = false;
 };
 
 /// A write transaction as a scope: rolled back unless committed. On SQLite it takes the write lock

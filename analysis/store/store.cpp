@@ -3,24 +3,17 @@
 #include "analysis/store/store.h"
 
 #include <algorithm>
-#include <chrono>
-#include <random>
 #include <string_view>
-#include <thread>
 
 #include "analysis/store/backup.h"
 #include "analysis/store/checks.h"
 #include "analysis/store/columns.h"
-#include "analysis/store/database.h"
 #include "analysis/store/merge.h"
-#include "analysis/store/rows.h"
 #include "analysis/store/schema.h"
+#include "analysis/store/store_impl.h"
 
 namespace obscura::analysis {
 namespace {
-
-/// Of a change that meets others: with ten kiosks the third is rare.
-constexpr int kMostAttempts = 50;
 
 /// The session of that id. Throws failure when there is none.
 SessionRecord find_session(Database& database, const std::string& session_id) {
@@ -83,19 +76,6 @@ void refuse_taken_slot(Database& database, const SessionRecord& session) {
     }
 }
 
-std::vector<std::uint64_t> slots_taken(Database& database, const std::string& study,
-                                       std::uint64_t seed, Kind kind) {
-    const auto holders =
-        select(database.session(), sessions_table(),
-               "WHERE state <> 'abandoned' AND study = :study AND kind = :kind ORDER BY slot",
-               {study, std::string(to_string(kind))});
-    std::vector<std::uint64_t> slots;
-    for (const SessionRecord& session : holders) {
-        if (session.seed == seed) slots.push_back(session.slot);
-    }
-    return slots;
-}
-
 void refuse_answered(Database& database, const TrialRecord& trial) {
     const auto answered =
         select(database.session(), trials_table(), "WHERE session_id = :id", {trial.session_id});
@@ -131,55 +111,6 @@ void set_state(Database& database, const std::string& session_id, SessionState s
 }
 
 }  // namespace
-
-struct Store::Impl {
-    Impl(const std::string& url, Access access) : database(url, access == Access::kReadOnly) {}
-    Database database;
-
-    /// `work` in one transaction, its errors in the house's words.
-    template <typename Work>
-    void change(std::string_view doing, Work&& work) {
-        database.guarded(doing, [&] {
-            for (int attempt = 1; !changed(work, attempt == kMostAttempts); ++attempt) {
-                // Those that met do not meet again at once.
-                static thread_local std::minstd_rand random{std::random_device{}()};
-                std::uniform_int_distribution<int> wait_ms(1, 5 * attempt);
-                std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms(random)));
-            }
-        });
-    }
-
-    /// False: it met another one and is to be tried again.
-    template <typename Work>
-    bool changed(Work& work, bool last) {
-        database.require_in_place();
-        try {
-            Transaction transaction(database);
-            work();
-            transaction.commit();
-            return true;
-        } catch (const soci::soci_error& error) {
-            if (last || !Database::asks_to_try_again(error)) throw;
-            return false;
-        }
-    }
-
-    template <typename Record>
-    void each(const RecordTable<Record>& table, const std::string& rest,
-              const std::function<void(const Record&)>& take) {
-        database.guarded("read", [&] {
-            Rows<Record> rows(database.session(), table, rest);
-            for (Record record; rows.next(record);) take(record);
-        });
-    }
-
-    template <typename Record>
-    std::vector<Record> read(const RecordTable<Record>& table, const std::string& rest,
-                             const std::vector<std::string>& values = {}) {
-        return database.guarded("read",
-                                [&] { return select(database.session(), table, rest, values); });
-    }
-};
 
 Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Impl>(url, access)) {
     Database& database = impl_->database;
@@ -285,31 +216,6 @@ void Store::abandon_session(const std::string& session_id, const std::string& en
     });
 }
 
-std::vector<SessionRecord> Store::open_sessions(const std::string& study, Kind kind) {
-    return impl_->read(sessions_table(),
-                       "WHERE state = 'open' AND study = :study AND kind = :kind ORDER BY entry",
-                       {study, std::string(to_string(kind))});
-}
-
-std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uint64_t seed,
-                                              Kind kind) {
-    return impl_->database.guarded("read",
-                                   [&] { return slots_taken(impl_->database, study, seed, kind); });
-}
-
-std::vector<std::string> Store::codes_of(const std::string& study) {
-    return impl_->database.guarded("read", [&] {
-        const std::string kind(to_string(Kind::kParticipant));
-        const soci::rowset<std::string> rows =
-            (impl_->database.session().prepare
-                 << "SELECT DISTINCT p.code FROM participants p, sessions s WHERE s.participant_id "
-                    "= p.participant_id AND p.code IS NOT NULL AND s.study = :study AND s.kind = "
-                    ":kind",
-             soci::use(study), soci::use(kind));
-        return std::vector<std::string>(rows.begin(), rows.end());
-    });
-}
-
 MergedRows Store::take_in(Store& other) {
     StoreRows rows;
     other.of_one_moment([&] {
@@ -327,127 +233,6 @@ std::optional<std::filesystem::path> Store::back_up(const std::filesystem::path&
     if (database.system() != Database::System::kSqlite) return std::nullopt;
     return database.guarded("back up",
                             [&] { return analysis::back_up(database, folder, utc, keep); });
-}
-
-std::string Store::latest_utc() {
-    return impl_->database.guarded(
-        "read", [&] {
-            std::string latest;
-            soci::indicator indicator = soci::i_null;
-            impl_->database.session()
-                << "SELECT MAX(latest) FROM (SELECT MAX(time_utc) AS latest FROM events UNION ALL "
-                   "SELECT MAX(started_utc) FROM sessions UNION ALL SELECT MAX(answered_utc) FROM "
-                   "trials) AS times",
-                soci::into(latest, indicator);
-            return indicator == soci::i_ok ? latest : std::string();
-        });
-}
-
-std::vector<ParticipantRecord> Store::participants() {
-    return impl_->read(participants_table(), "ORDER BY entry");
-}
-
-std::vector<SessionRecord> Store::sessions() {
-    return impl_->read(sessions_table(), "ORDER BY entry");
-}
-
-std::vector<TrialRecord> Store::trials() {
-    std::vector<TrialRecord> trials;
-    each_trial([&](const TrialRecord& trial, const SessionRecord&) { trials.push_back(trial); });
-    return trials;
-}
-
-void Store::each_participant(const std::function<void(const ParticipantRecord&)>& take) {
-    impl_->each(participants_table(), "participants ORDER BY entry", take);
-}
-
-void Store::each_session(const std::function<void(const SessionRecord&)>& take) {
-    impl_->each(sessions_table(), "sessions ORDER BY entry", take);
-}
-
-void Store::each_session_with_events(
-    const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take) {
-    of_one_moment([&] {
-        impl_->database.guarded("read", [&] {
-            soci::session& session = impl_->database.session();
-            Rows<SessionRecord> sessions(session, sessions_table(), "sessions ORDER BY entry");
-            Rows<EventRecord> events(session, events_table(),
-                                     "sessions s CROSS JOIN events e WHERE e.session_id = "
-                                     "s.session_id ORDER BY s.entry, e.entry",
-                                     {}, "e.");
-            EventRecord event;
-            bool is_event = events.next(event);
-            std::vector<EventRecord> own;
-            for (SessionRecord record; sessions.next(record); own.clear()) {
-                for (; is_event && event.session_id == record.session_id;
-                     is_event = events.next(event)) {
-                    own.push_back(event);
-                }
-                take(record, own);
-            }
-        });
-    });
-}
-
-void Store::each_answer(const std::function<void(const SessionRecord&)>& take_session,
-                        const std::function<void(const TrialRecord&)>& take_trial) {
-    static const auto sessions =
-        part_of(sessions_table(), {"session_id", "participant_id", "kind", "study", "study_sha256",
-                                   "state", "exclusion", "study_plan"});
-    static const auto trials =
-        part_of(trials_table(), {"session_id", "kind", "trial_index", "condition", "hypothesis",
-                                 "scene", "validity", "condition_A", "condition_B", "first_shown",
-                                 "is_A_selected", "response_time_s", "expected", "repeats"});
-    of_one_moment([&] {
-        impl_->each(sessions, "sessions ORDER BY entry", take_session);
-        impl_->each(trials, "trials ORDER BY entry", take_trial);
-    });
-}
-
-void Store::each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take) {
-    of_one_moment([&] {
-        impl_->database.guarded("read", [&] {
-            // Two rows of statements side by side, so that no session is read once for each trial.
-            // CROSS JOIN keeps SQLite from sorting the trials: it finds them session by session.
-            soci::session& session = impl_->database.session();
-            Rows<SessionRecord> sessions(session, sessions_table(), "sessions ORDER BY entry");
-            Rows<TrialRecord> trials(session, trials_table(),
-                                     "sessions s CROSS JOIN trials t WHERE t.session_id = "
-                                     "s.session_id ORDER BY s.entry, t.trial_index",
-                                     {}, "t.");
-            SessionRecord of_trial;
-            for (TrialRecord trial; trials.next(trial);) {
-                while (of_trial.session_id != trial.session_id) {
-                    if (!sessions.next(of_trial)) {
-                        throw base::failure("the store {} has no session {}",
-                                            impl_->database.name(), trial.session_id);
-                    }
-                }
-                take(trial, of_trial);
-            }
-        });
-    });
-}
-
-void Store::of_one_moment(const std::function<void()>& work) {
-    impl_->database.guarded("read", [&] {
-        const ReadTransaction transaction(impl_->database);
-        work();
-    });
-}
-
-std::vector<TrialRecord> Store::trials_of(const std::string& session_id) {
-    return impl_->read(trials_table(), "WHERE session_id = :id ORDER BY trial_index", {session_id});
-}
-
-std::vector<EventRecord> Store::events() { return impl_->read(events_table(), "ORDER BY entry"); }
-
-std::vector<EventRecord> Store::events_of(const std::string& session_id) {
-    return impl_->read(events_table(), "WHERE session_id = :id ORDER BY entry", {session_id});
-}
-
-std::vector<EventRecord> Store::other_events() {
-    return impl_->read(events_table(), "WHERE session_id IS NULL ORDER BY entry");
 }
 
 }  // namespace obscura::analysis

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/kiosk/kiosk.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 // Only to wake the window.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "analysis/store/address.h"
@@ -17,11 +16,13 @@
 #include "analysis/store/withdraw.h"
 #include "app/kiosk/clock.h"
 #include "app/kiosk/machine.h"
+#include "app/kiosk/machine_lines.h"
 #include "app/kiosk/operators_page.h"
 #include "app/kiosk/pin.h"
 #include "app/kiosk/recording.h"
 #include "app/kiosk/screen_saver.h"
 #include "app/kiosk/session_runner.h"
+#include "app/kiosk/start_checks.h"
 #include "app/kiosk/stimulus_view.h"
 #include "app/kiosk/store_lock.h"
 #include "app/kiosk/timing.h"
@@ -29,7 +30,6 @@
 #include "renderer/base/log.h"
 #include "renderer/base/version.h"
 #include "stimuli/manifest.h"
-#include "stimuli/pairs.h"
 
 namespace obscura::app::kiosk {
 namespace {
@@ -37,90 +37,12 @@ namespace {
 using analysis::Kind;
 using End = SessionRunner::End;
 
-void refuse_incomplete_stimuli(const stimuli::Study& study, const KioskOptions& options) {
-    const std::vector<std::string> problems = stimuli::problems_of_stimuli(study, options.folder);
-    if (problems.empty()) return;
-    throw base::bad_input("the stimuli of {} are not ready:\n  {}\nmake them with: {}", study.name,
-                          fmt::join(problems, "\n  "), options.remedy);
-}
-
-/// Nobody is asked to choose between images that nobody can tell apart, unless the study means it.
-void refuse_alike_pairs(const stimuli::Study& study, const stimuli::Manifest& manifest,
-                        const std::filesystem::path& folder) {
-    const std::vector<std::string> alike =
-        stimuli::alike_pairs(study, stimuli::compared_pairs(study, manifest, folder));
-    if (alike.empty()) return;
-    throw base::bad_input(
-        "{} has pairs that nobody can tell apart:\n  {}\nmend the study and render it again, or "
-        "say identical = true in the condition of a pair that is meant so",
-        study.name, fmt::join(alike, "\n  "));
-}
-
-[[nodiscard]] bool is_file(const std::string& store_url) {
-    return store_url.starts_with("sqlite3://");
-}
-
-/// A session must not end for want of room.
-void refuse_full_disk(const std::string& store_url) {
-    constexpr std::uintmax_t kLeastBytes = 100'000'000;
-    if (!is_file(store_url)) return;
-    const std::filesystem::path file = analysis::store_address(store_url).file;
-    std::error_code error;
-    const auto space = std::filesystem::space(std::filesystem::absolute(file).parent_path(), error);
-    if (error || space.available >= kLeastBytes) return;
-    throw base::failure(
-        "the disk of the store {} has room for {} MB only, needed are {} MB: make room, or choose "
-        "another place with --db",
-        file.string(), space.available / 1'000'000, kLeastBytes / 1'000'000);
-}
-
-/// Times of day are stored with the answers, and order them.
-void refuse_clock_that_ran_backwards(analysis::Store& store) {
-    constexpr double kMost_s = 60.0;
-    const std::string latest = store.latest_utc();
-    if (latest.empty()) return;
-    const std::string now = utc_now();
-    if (seconds_between(now, latest) <= kMost_s) return;
-    throw base::failure(
-        "the clock ran backwards: it is {} now, and the store has answers of {}: set the clock of "
-        "this machine",
-        now, latest);
-}
-
 /// A machine that was busy just then is not one whose swaps do not wait.
 [[nodiscard]] Pace steady_pace(Window& window, int grey_level) {
     constexpr int kTries = 4;
     Pace pace = measure_pace(window, grey_level);
     for (int i = 1; i < kTries && !pace.locked; ++i) pace = measure_pace(window, grey_level);
     return pace;
-}
-
-/// What is shown and for how long is known only where swapping waits for the display.
-void refuse_loose_pace(const Pace& pace, const Window& window) {
-    if (pace.locked) return;
-    throw base::failure(
-        "the refresh test failed: frames come {:.2f} ms apart, {} are {:.2f} "
-        "ms: let swapping wait for the display (vblank_mode, the driver's settings), and turn off "
-        "what composes windows",
-        pace.measured_s * 1000.0,
-        window.refresh_hz() > 0.0 ? fmt::format("the monitor's {:.0f} Hz", window.refresh_hz())
-                                  : "60 Hz, since the monitor tells no rate,",
-        pace.period_s * 1000.0);
-}
-
-/// Where the operator has a reason to go on, a refusal is only said.
-void unless_overridden(const KioskOptions& options, const std::function<void()>& check) {
-    try {
-        check();
-    } catch (const base::Error& error) {
-        if (options.override_reason.empty()) {
-            throw base::failure(
-                "{}; --override \"REASON\" goes on all the same, and puts the reason into every "
-                "row",
-                error.what());
-        }
-        base::log::warn("{}; goes on: {}", error.what(), options.override_reason);
-    }
 }
 
 /// The last self-test counts only for the monitor and GPU that it was made on.
@@ -151,55 +73,16 @@ void remember(const KioskOptions& options, const Window& window) {
     keep(options.data, displays);
 }
 
+[[nodiscard]] bool is_file(const std::string& store_url) {
+    return store_url.starts_with("sqlite3://");
+}
+
 [[nodiscard]] std::string saved_note(const stimuli::Words& words, const std::string& store_url) {
     if (!is_file(store_url)) return words("all_saved");
     return words("all_saved_in", {{"file", std::filesystem::path(store_url).filename().string()}});
 }
 
 constexpr std::size_t kBackupsKept = 20;
-
-[[nodiscard]] std::string screen_line(const stimuli::Words& words, const nlohmann::json& timing) {
-    const auto screen = timing.find("screen");
-    if (screen == timing.end() || !screen->contains("pixels_per_degree")) {
-        return words("op_no_screen");
-    }
-    const auto shown = [&](const char* name) {
-        return fmt::format("{:.4g}", screen->at(name).get<double>());
-    };
-    return words("op_screen", {{"distance", shown("viewing_distance_cm")},
-                               {"width", shown("screen_width_cm")},
-                               {"height", shown("screen_height_cm")},
-                               {"pixels", shown("pixels_per_degree")}});
-}
-
-/// The disk and the times of this machine, for the operator.
-[[nodiscard]] std::vector<std::string> machine_lines(const stimuli::Words& words,
-                                                     const KioskOptions& options,
-                                                     const std::string& timing) {
-    std::vector<std::string> lines;
-    std::error_code error;
-    const auto space = std::filesystem::space(std::filesystem::absolute(options.data), error);
-    if (!error) {
-        lines.push_back(words("op_disk", {{"free", std::to_string(space.available / 1'000'000)}}));
-    }
-    const auto json = nlohmann::json::parse(timing);
-    const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
-    lines.push_back(words("op_timing", {{"source", json.at("source").get<std::string>()},
-                                        {"frame", ms(json.at("frame_ms").get<double>())}}));
-    lines.push_back(screen_line(words, json));
-    const auto& test = json.at("self_test");
-    if (test.is_null()) {
-        lines.push_back(words("op_no_selftest"));
-        return lines;
-    }
-    const auto& error_ms = test.at("error_ms");
-    lines.push_back(
-        words("op_selftest", {{"mean", ms(error_ms.at("mean").get<double>())},
-                              {"sd", ms(error_ms.at("sd").get<double>())},
-                              {"worst", ms(error_ms.at("worst").get<double>())},
-                              {"dropped", std::to_string(test.at("dropped_frames").get<int>())}}));
-    return lines;
-}
 
 /// One kiosk in its window.
 class Kiosk {
@@ -310,7 +193,7 @@ class Kiosk {
             return study_.words("op_withdrawn", {{"folder", options_.backups.string()}});
         };
         hooks.machine_lines = [this] {
-            auto lines = machine_lines(study_.words, options_, machine_.timing);
+            auto lines = machine_lines(study_.words, options_.data, machine_.timing);
             if (!options_.windowed && !stage_.window.has_all_keys()) {
                 lines.push_back(study_.words("op_keys_free"));
             }
@@ -474,7 +357,7 @@ WindowOptions window_options(const stimuli::Study& study, const KioskOptions& op
 }
 
 void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
-    refuse_incomplete_stimuli(study, options);
+    refuse_incomplete_stimuli(study, options.folder, options.remedy);
     const stimuli::Manifest manifest = stimuli::load_manifest(options.folder / "manifest.json");
     refuse_alike_pairs(study, manifest, options.folder);
     // The monitor is refused before the store is touched.
@@ -497,9 +380,10 @@ void run_kiosk(const stimuli::Study& study, const KioskOptions& options) {
     const StoreLock lock(options.store_url);
     analysis::Store store(options.store_url, analysis::Store::Access::kReadWrite);
     const Pace pace = steady_pace(window, study.presentation.grey_level);
-    unless_overridden(options, [&] { refuse_full_disk(options.store_url); });
-    unless_overridden(options, [&] { refuse_clock_that_ran_backwards(store); });
-    if (!options.windowed) unless_overridden(options, [&] { refuse_loose_pace(pace, window); });
+    unless_overridden(options.override_reason, [&] { refuse_full_disk(options.store_url); });
+    unless_overridden(options.override_reason, [&] { refuse_clock_that_ran_backwards(store); });
+    if (!options.windowed)
+        unless_overridden(options.override_reason, [&] { refuse_loose_pace(pace, window); });
     Ui ui(window, study.words, study.presentation.grey_level);
     Stage stage{window,         ui,   study,
                 options.folder, pace, saved_note(study.words, options.store_url)};

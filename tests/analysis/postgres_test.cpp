@@ -165,6 +165,40 @@ TEST(PostgresStore, HoweverManyKiosksBeginAtOnceEachRowOfTheOrderIsGivenOnce) {
     }
 }
 
+TEST(PostgresStore, AChangeTakesItsTurnAndGoesOnWithoutWhereAnotherKeepsItTooLong) {
+    PostgresServer& server = PostgresServer::shared();
+    const std::string url = server.new_database();
+    const std::string database = url.substr(url.rfind('/') + 1);
+    const std::string held = "EXISTS (SELECT FROM pg_locks WHERE locktype = 'advisory')";
+    const auto require = [&](const std::string& condition) {
+        server.execute(
+            "DO $$ BEGIN IF NOT " + condition + " THEN RAISE EXCEPTION 'not so'; END IF; END $$",
+            database);
+    };
+    Store store(url, Store::Access::kReadWrite);
+    tests::add_completed(store, 0);
+    EXPECT_NO_THROW(require("NOT " + held));
+    std::thread frozen([&] {
+        // The number is the store's own; another would keep nobody waiting.
+        EXPECT_ANY_THROW(server.execute(
+            fmt::format("SELECT pg_advisory_lock({}), pg_sleep(600)", 0x6f627363), database));
+    });
+    while (true) {
+        try {
+            require(held);
+            break;
+        } catch (const std::exception&) {
+            std::this_thread::yield();
+        }
+    }
+    store.begin_session(tests::a_participant(1), tests::a_session(1));
+    EXPECT_NO_THROW(require(held)) << "nobody kept it";
+    server.execute("SELECT pg_terminate_backend(pid) FROM pg_locks WHERE locktype = 'advisory'",
+                   database);
+    frozen.join();
+    EXPECT_EQ(store.sessions().size(), 2U);
+}
+
 TEST(PostgresStore, AServerThatWasAwayIsTakenUpAgainAndLosesNothingThatItAcknowledged) {
     PostgresServer& server = PostgresServer::shared();
     Store store(server.new_database(), Store::Access::kReadWrite);
