@@ -185,7 +185,8 @@ Content content_of(const std::string& source, const std::string& camera, std::st
                     {"validity", std::string(validity)},
                     {"variant", variant.variant_name()},
                     {"denoise", variant.denoise}};
-    for (const auto& [path, value] : Json::parse(scene_settings).flatten().items()) {
+    const Json settings = Json::parse(scene_settings).flatten();
+    for (const auto& [path, value] : settings.items()) {
         if (!path.empty()) content[path.substr(1)] = value.dump();
     }
     for (const auto& [name, value] : variant.all_parameters()) {

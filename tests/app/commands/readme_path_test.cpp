@@ -22,22 +22,33 @@ void make_small(const std::filesystem::path& study) {
     base::write_file_atomically(study, text);
 }
 
-/// Of every pair by its condition: how far its images are apart to an eye.
-using Images = std::map<std::string, double>;
+/// Of every pair by its condition: how far its images are apart where they are farthest (CIELAB).
+using Apart = std::map<std::string, double>;
 
-Images visible_in(const std::filesystem::path& manifest) {
-    Images seen;
+Apart apart_in(const std::filesystem::path& manifest) {
+    Apart apart;
     for (const auto& pair : nlohmann::json::parse(base::read_file(manifest)).at("pairs")) {
-        seen[pair.at("condition")] = pair.at("visible");
+        apart[pair.at("condition")] = pair.at("largest_delta_e");
     }
-    return seen;
+    return apart;
 }
 
-/// What lies on the operator's memory stick lies in the data folder here.
-std::string on_this_disk(std::string words) {
-    const std::string stick = "/media/usb/";
-    const std::size_t at = words.find(stick);
-    return at == std::string::npos ? words : words.replace(at, stick.size(), "obscura-data/");
+/// What lies on the operator's memory stick lies in the data folder here, and a scene that opens at
+/// once stands in for the large one.
+std::string at_hand(std::string words) {
+    for (const auto& [there, here] :
+         {std::pair<std::string, std::string>("/media/usb/", "obscura-data/"),
+          {"--scene atrium", "--scene step.obj"}}) {
+        const std::size_t at = words.find(there);
+        if (at != std::string::npos) words.replace(at, there.size(), here);
+    }
+    return words;
+}
+
+void add_step(const tests::TemporaryFolder& folder) {
+    base::write_file_atomically(folder / "step.obj",
+                                "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
+                                "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
 }
 
 using Lines = std::map<std::string, std::string>;
@@ -53,7 +64,7 @@ void live(const tests::TemporaryFolder& folder, const std::string& day, const Li
         for (const auto& [begin, words] : behind) {
             if (command.words.starts_with(begin)) added = " " + words;
         }
-        const ProgramRun run = run_program(folder, on_this_disk(command.words) + added);
+        const ProgramRun run = run_program(folder, at_hand(command.words) + added);
         EXPECT_EQ(run.exit_code, 0) << command.words << added << "\n" << run.err << run.out;
         if (command.words.starts_with("new ")) make_small(folder / "my-study.toml");
     }
@@ -62,15 +73,16 @@ void live(const tests::TemporaryFolder& folder, const std::string& day, const Li
 
 TEST(ResearchersDay, AndTheOthersThatFollowWorkAsPastedWithASceneOfOnesOwn) {
     const tests::TemporaryFolder folder;
-    base::write_file_atomically(folder / "step.obj",
-                                "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nv 0 1 -2\nv 4 1 -2\n"
-                                "v 4 0 -2\nv 0 0 -2\nf 1 2 3 4\nf 8 7 6 5\n");
+    add_step(folder);
     ASSERT_EQ(run_program(folder, "scene export step.obj --out my-scene.glb").exit_code, 0);
     // SimulationCommands runs it on fewer studies: as it stands it takes a minute.
     live(folder, "## A researcher's day", {}, {"power my-study.toml --share .65 --sd 1"});
-    const Images seen = visible_in(folder / "obscura-data/stimuli/my-study/manifest.json");
-    EXPECT_GT(seen.at("check"), 2.0 * seen.at("my-scene-moderate-ao"))
-        << "an attention check is no pair like the others";
+    const Apart apart = apart_in(folder / "obscura-data/stimuli/my-study/manifest.json");
+    ASSERT_THAT(apart, testing::SizeIs(6));
+    for (const auto& [condition, delta_e] : apart) {
+        if (condition == "check") continue;
+        EXPECT_GT(apart.at("check"), 2.0 * delta_e) << condition << " is no attention check";
+    }
 
     for (const char* copy : {"obscura-data/responses.sqlite", "lab1.sqlite", "lab2.sqlite"}) {
         std::filesystem::copy_file(folder / "obscura-data/rehearsal/my-study.sqlite",
@@ -100,6 +112,23 @@ TEST(ResearchersDay, AndTheOthersThatFollowWorkAsPastedWithASceneOfOnesOwn) {
     base::write_file_atomically(folder / "my-study.toml", edited);
     EXPECT_THAT(run_program(folder, "check my-study.toml").out,
                 testing::HasSubstr("2 of 12 images are of before the study was edited"));
+}
+
+TEST(EngineersDay, WorksAsPastedWithFewerPixelsAndRays) {
+    const tests::TemporaryFolder folder;
+    add_step(folder);
+    ASSERT_EQ(run_program(folder, "new my-study --scene step.obj").exit_code, 0);
+    make_small(folder / "my-study.toml");
+    constexpr const char* kSmall = "my-study.toml --quick --size 48x27 --rays 4 --technique ";
+    live(folder, "## A graphics engineer's day",
+         {{"ao --scene", "--size 64x36 --rays 4"},
+          {"measure", std::string(kSmall) + "blizzard"},
+          {"measure --fit", std::string(kSmall) + "hbao --samples 4"},
+          {"measure --scene", "--size 64x36 --rays 4"},
+          {"render", "my-study.toml"}},
+         // ExplorerDriven, ClosedForms, HardCases and Measure run what is behind these.
+         {"explore atrium", "ao --closed-forms", "measure --hard-cases",
+          "measure --experiment front", "measure --experiment sunet-5.7"});
 }
 
 }  // namespace
