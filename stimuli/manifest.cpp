@@ -200,7 +200,7 @@ Content content_of(const std::string& source, const std::string& camera, std::st
 
 /// What two images differ in, as `power 16, the study asks for 8`; a parameter that only one of two
 /// techniques has goes without saying.
-std::string differences_of(const Content& shown, const Content& wanted) {
+std::string changes_of(const Content& shown, const Content& wanted) {
     std::string words;
     for (const auto& [name, value] : shown) {
         const auto other = wanted.find(name);

@@ -27,7 +27,8 @@ using Apart = std::map<std::string, double>;
 
 Apart apart_in(const std::filesystem::path& manifest) {
     Apart apart;
-    for (const auto& pair : nlohmann::json::parse(base::read_file(manifest)).at("pairs")) {
+    const auto json = nlohmann::json::parse(base::read_file(manifest));
+    for (const auto& pair : json.at("pairs")) {
         apart[pair.at("condition")] = pair.at("largest_delta_e");
     }
     return apart;
@@ -108,10 +109,10 @@ TEST(ResearchersDay, AndTheOthersThatFollowWorkAsPastedWithASceneOfOnesOwn) {
           {"power", ""}});
 
     std::string edited = base::read_file(folder / "my-study.toml");
-    edited.replace(edited.find("samples = 24"), 12, "samples = 16");
+    edited.replace(edited.find("strength = 20"), 13, "strength = 25");
     base::write_file_atomically(folder / "my-study.toml", edited);
     EXPECT_THAT(run_program(folder, "check my-study.toml").out,
-                testing::HasSubstr("2 of 12 images are of before the study was edited"));
+                testing::HasSubstr("1 of 12 images are of before the study was edited"));
 }
 
 TEST(EngineersDay, WorksAsPastedWithFewerPixelsAndRays) {
