@@ -225,12 +225,11 @@ std::string problem_of_content(const Study& study, const Condition& condition,
     if (shows_what_is_asked(study, image)) return "";
     const StudyScene& scene = study.scene_of(condition);
     const renderer::Variant& wanted = image.side == "a" ? condition.a : condition.b;
-    return fmt::format(
-        "{}: it shows {}; obscura render makes it anew", path.string(),
-        differences_of(
-            content_of(image.source, image.camera, image.validity, image.settings, image.variant),
-            content_of(scene.source, scene.camera, to_string(scene.validity),
-                       to_json(scene.settings), wanted)));
+    return fmt::format("{}: it shows {}; obscura render makes it anew", path.string(),
+                       changes_of(content_of(image.source, image.camera, image.validity,
+                                             image.settings, image.variant),
+                                  content_of(scene.source, scene.camera, to_string(scene.validity),
+                                             to_json(scene.settings), wanted)));
 }
 
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,
