@@ -11,6 +11,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/gl/context.h"
 #include "stimuli/scenes/list.h"
+#include "stimuli/scenes/open_scene.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -37,8 +38,9 @@ int spread_of_block(const std::vector<std::uint8_t>& rgb, int left, int top) {
 /// white: a camera that looks at a bare wall, out of the scene or from inside a thing fails. Cards
 /// of leaves seen edge on must end, too: with anisotropic filtering a software rasterizer does not.
 void expect_full_views(const BuiltinScene& entry, Validity level) {
-    const renderer::Scene scene = entry.build();
-    const renderer::Lighting light = entry.lighting(level);
+    const OpenedScene opened = open_scene(entry.id, {}, {}, {entry});
+    const renderer::Scene& scene = *opened.scene;
+    const renderer::Lighting light = opened.with_probes(opened.lighting(level));
     const renderer::HeadlessContext context;
     renderer::Renderer renderer;
     const renderer::GpuScene on_gpu(scene);
