@@ -392,6 +392,43 @@ TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {
     EXPECT_EQ(std::get<FormSubmitted>(*event).form.age_years, 25);
 }
 
+/// Of the page's body, in pixels.
+float visible_body_px() {
+    for (const ImGuiWindow* window : GImGui->Windows) {
+        if (std::string_view(window->Name).find("##body") != std::string_view::npos) {
+            return window->Size.y;
+        }
+    }
+    return 0.0F;
+}
+
+TEST_F(Pages, WhatTheKeyboardGoesToIsSeenWithItsQuestionAboveAndWhatIsSaidBelowIt) {
+    for (int i = 0; i < 20; ++i) {
+        stimuli::FormField field;
+        field.id = fmt::format("f{}", i);
+        field.kind = stimuli::FieldKind::kText;
+        field.label = "A question";
+        study_.form.push_back(field);
+    }
+    ShownPage page = show_form();
+    const float text_px = ImGui::GetFontSize();
+    const auto expect_in_view = [&] {
+        for (const FocusStop& stop : page_state().stops) {
+            if (stop.id != page_state().focus || !stop.in_body) continue;
+            EXPECT_GE(stop.top_px - text_px, ShownPage::scrolled());
+            EXPECT_LE(stop.top_px + stop.height_px + text_px,
+                      ShownPage::scrolled() + visible_body_px());
+        }
+    };
+    for (const int modifiers : {0, GLFW_MOD_SHIFT}) {
+        for (int i = 0; i < 20; ++i) {
+            page.press(GLFW_KEY_TAB, modifiers);
+            page.draw();
+            expect_in_view();
+        }
+    }
+}
+
 TEST_F(Pages, ThanksAreLeftByNoKeyOrClickOfAParticipant) {
     bool gave = false;
     ShownPage page = show([&]() -> std::optional<Event> {
