@@ -59,6 +59,10 @@ const Outcome& outcome_of(const std::vector<Outcome>& outcomes, const std::strin
     return *found;
 }
 
+double share_apart(double first_ms, double second_ms) {
+    return std::abs(first_ms - second_ms) / std::max(first_ms, second_ms);
+}
+
 std::string in_order(const std::vector<Outcome>& outcomes, double Outcome::*value) {
     std::vector<const Outcome*> sorted;
     for (const Outcome& outcome : outcomes) {

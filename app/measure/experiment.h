@@ -27,6 +27,12 @@ struct Finding {
     std::string conclusion;  ///< the paper's, in a sentence
     bool agrees = false;
     std::string because;  ///< the figures
+    /// By what share of the longer the two times differ that it rests on; 1: it rests on no two.
+    double apart = 1.0;
+
+    /// Times nearer than runs of one machine are to each other say neither that it is so nor that
+    /// it is not.
+    [[nodiscard]] bool is_undecided() const { return apart < 0.05; }
 };
 
 /// A paper's experiment, or `front` of our own, run on one view of each scene of the study.
@@ -67,6 +73,9 @@ struct Experiment {
 /// The outcome of that name; it must be there.
 [[nodiscard]] const Outcome& outcome_of(const std::vector<Outcome>& outcomes,
                                         const std::string& name);
+
+/// Of Finding::apart.
+[[nodiscard]] double share_apart(double first_ms, double second_ms);
 
 /// The names from the smallest value to the largest: `a 1.2, b 3.4`.
 [[nodiscard]] std::string in_order(const std::vector<Outcome>& outcomes, double Outcome::*value);

@@ -92,8 +92,11 @@ std::vector<std::string> run_experiment(MeasuredScene& stage, const MeasureReque
     const std::vector<Finding> findings =
         experiment.judge != nullptr ? experiment.judge(outcomes) : std::vector<Finding>{};
     for (const Finding& finding : findings) {
-        report.findings.push_back(fmt::format("The paper: {}. Here {}: {}.", finding.conclusion,
-                                              finding.agrees ? "too" : "not", finding.because));
+        const char* const here = finding.is_undecided() ? "undecided, less than 5 % apart"
+                                 : finding.agrees       ? "too"
+                                                        : "not";
+        report.findings.push_back(
+            fmt::format("The paper: {}. Here {}: {}.", finding.conclusion, here, finding.because));
     }
     if (!experiment.silent_on.empty()) {
         report.findings.push_back("Not judged: " + experiment.silent_on + ".");

@@ -171,7 +171,8 @@ TEST_F(Measure, APapersExperimentHasARowForEachSettingAndJudgesEachConclusion) {
         for (const std::string& finding : report.findings) {
             const bool yes = finding.find(" Here too: ") != std::string::npos;
             const bool no = finding.find(" Here not: ") != std::string::npos;
-            judged += yes || no ? 1 : 0;
+            const bool open = finding.find(" Here undecided, ") != std::string::npos;
+            judged += yes || no || open ? 1 : 0;
         }
         EXPECT_GE(judged, 2) << name;
         for (const analysis::MeasurementRow& row : report.rows) {
@@ -179,6 +180,24 @@ TEST_F(Measure, APapersExperimentHasARowForEachSettingAndJudgesEachConclusion) {
         }
         EXPECT_THAT(analysis::report_text(report), HasSubstr("The paper: "));
     }
+}
+
+TEST(PapersFindings, AreUndecidedWhereTwoTimesAreNearerThanRunsAreToEachOther) {
+    const auto found = [](double triangles_ms, double inverse_ms) {
+        std::vector<Outcome> outcomes(2);
+        outcomes[0].name = "similar triangles";
+        outcomes[0].ao_ms = triangles_ms;
+        outcomes[1].name = "inverse projection";
+        outcomes[1].ao_ms = inverse_ms;
+        return find_experiment("sunet-5.4")->judge(outcomes).at(1);
+    };
+    for (const auto& [triangles_ms, inverse_ms] : {std::pair(10.0, 10.4), std::pair(10.4, 10.0)}) {
+        EXPECT_TRUE(found(triangles_ms, inverse_ms).is_undecided());
+    }
+    EXPECT_FALSE(found(10.0, 11.0).is_undecided());
+    EXPECT_TRUE(found(10.0, 11.0).agrees);
+    EXPECT_FALSE(found(11.0, 10.0).is_undecided());
+    EXPECT_FALSE(found(11.0, 10.0).agrees);
 }
 
 TEST_F(Measure, AnExperimentThatThereIsNotOrThatIsToldWhatToMeasureIsRefused) {
