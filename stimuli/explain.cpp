@@ -87,10 +87,10 @@ std::string explanation_of_image(const Study& study, const Explained& one) {
 /// A line of the table of what leaving out saves.
 std::string savings_of(const Explained& one) {
     constexpr double kMega = 1e6;
-    return fmt::format("{:14} {:10.1f} {:10.1f} {:10.1f} {:10.1f}\n", one.stimulus.file(),
-                       one.planned.milliseconds(), one.everything.milliseconds(),
-                       static_cast<double>(one.planned.plan().bytes()) / kMega,
-                       static_cast<double>(one.everything.plan().bytes()) / kMega);
+    return fmt::format(
+        "{:10.1f} {:10.1f} {:10.1f} {:10.1f}  {}\n", one.planned.milliseconds(),
+        one.everything.milliseconds(), static_cast<double>(one.planned.plan().bytes()) / kMega,
+        static_cast<double>(one.everything.plan().bytes()) / kMega, one.stimulus.file());
 }
 
 Json json_of_explained(const Study& study, const Explained& one) {
@@ -139,7 +139,7 @@ std::string explain(const Study& study, const Selection& selection, bool quiet,
         text += "A software renderer: these times say nothing of a graphics card's.\n";
     }
     std::string savings =
-        fmt::format("\n{:14} {:>10} {:>10} {:>10} {:>10}\n", "", "ms", "ms, all", "MB", "MB, all");
+        fmt::format("\n{:>10} {:>10} {:>10} {:>10}\n", "ms", "ms, all", "MB", "MB, all");
     each_explained(study, selection, quiet, catalogue, [&](const Explained& one) {
         text += explanation_of_image(study, one);
         savings += savings_of(one);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
@@ -174,12 +175,48 @@ std::string problem_of_size(const Study& study, const std::filesystem::path& pat
                        image->width, image->height, study.width, study.height);
 }
 
-std::string in_words(const std::string& source, const std::string& camera,
-                     std::string_view validity, const std::string& scene_settings,
-                     const renderer::Variant& variant) {
-    const std::string with = scene_settings == "{}" ? "" : " with " + scene_settings;
-    return fmt::format("{} from {}, validity {}{}, {}", source, camera, validity, with,
-                       variant.in_words());
+/// What an image shows: a name and a value each.
+using Content = std::map<std::string, std::string>;
+
+Content content_of(const std::string& source, const std::string& camera, std::string_view validity,
+                   const std::string& scene_settings, const renderer::Variant& variant) {
+    Content content{{"scene", source},
+                    {"camera", camera},
+                    {"validity", std::string(validity)},
+                    {"variant", variant.variant_name()},
+                    {"denoise", variant.denoise}};
+    const Json settings = Json::parse(scene_settings).flatten();
+    for (const auto& [path, value] : settings.items()) {
+        if (!path.empty()) content[path.substr(1)] = value.dump();
+    }
+    for (const auto& [name, value] : variant.all_parameters()) {
+        content[name] = fmt::format("{}", value);
+    }
+    for (const renderer::VariantOption& option : renderer::variant_options()) {
+        content[std::string(option.name)] = variant.*option.value;
+    }
+    return content;
+}
+
+/// What two images differ in, as `power 16, the study asks for 8`; a parameter that only one of two
+/// techniques has goes without saying.
+std::string changes_of(const Content& shown, const Content& wanted) {
+    std::string words;
+    for (const auto& [name, value] : shown) {
+        const auto other = wanted.find(name);
+        const bool same_technique = shown.at("variant") == wanted.at("variant");
+        if (other == wanted.end() ? !same_technique : other->second == value) continue;
+        words += fmt::format("{}{} {}, the study asks for {}", words.empty() ? "" : "; ", name,
+                             value, other == wanted.end() ? "none" : other->second);
+    }
+    for (const auto& [name, value] : wanted) {
+        if (shown.contains(name) || shown.at("variant") != wanted.at("variant")) continue;
+        words +=
+            fmt::format("{}no {}, the study asks for {}", words.empty() ? "" : "; ", name, value);
+    }
+    return words.empty() ? "another size, supersampling, opacity or match of luminance than the "
+                           "study asks for"
+                         : words;
 }
 
 /// An image of before the study was edited is as sound a file as any, but shows something else.
@@ -188,11 +225,11 @@ std::string problem_of_content(const Study& study, const Condition& condition,
     if (shows_what_is_asked(study, image)) return "";
     const StudyScene& scene = study.scene_of(condition);
     const renderer::Variant& wanted = image.side == "a" ? condition.a : condition.b;
-    return fmt::format(
-        "{}: it shows {}; the study asks for {}; obscura render makes it anew", path.string(),
-        in_words(image.source, image.camera, image.validity, image.settings, image.variant),
-        in_words(scene.source, scene.camera, to_string(scene.validity), to_json(scene.settings),
-                 wanted));
+    return fmt::format("{}: it shows {}; obscura render makes it anew", path.string(),
+                       changes_of(content_of(image.source, image.camera, image.validity,
+                                             image.settings, image.variant),
+                                  content_of(scene.source, scene.camera, to_string(scene.validity),
+                                             to_json(scene.settings), wanted)));
 }
 
 std::string problem_of_image(const Study& study, const Condition& condition, const char* side,

@@ -20,7 +20,7 @@ constexpr std::string_view kHead = R"(# {name}: a study to start from. It runs a
 #   obscura render {name}.toml      makes the images
 #   obscura rehearse {name}.toml    simulated observers through all of it, to see the analysis
 #   obscura run {name}.toml         the kiosk, for people
-#   obscura analyze                 what they answered
+#   obscura analyze {name}.toml     what they answered
 #
 # Lines that begin with # are comments. stimuli/README.md of the program lists every key.
 
@@ -39,7 +39,7 @@ supersampling = {supersampling}                    # samples along each side of 
 grey_ms = 2000                       # the grey interval between two images; it cannot be skipped
 grey_level = 128                     # sRGB code value of the interval and around the images
 {order}
-seed = {seed}                    # of every random choice
+seed = {seed}                      # of every random choice
 
 )";
 
@@ -50,7 +50,7 @@ id = "check"
 scene = "{scene}"
 catch = "a"                          # the side that an attentive observer picks
 a = {{ technique = "blizzard", samples = 24, {radius} }}
-b = {{ technique = "crytek", samples = 8, denoise = "none", offset_scale = 0.1 }}
+b = {{ technique = "alchemy", samples = 1, denoise = "none", {speckled} }}
 
 # A pair that comes again: how far people agree with themselves.
 [[condition]]
@@ -75,15 +75,20 @@ struct Part {
 /// Blizzard's thresholds in the proportion to its radius that its fit to the truth has.
 std::string radius_of(double radius_m) {
     return fmt::format(
-        "radius_m = {:.3g}, full_threshold_m = {:.2g}, no_threshold_m = {:.3g}, power = {:.3g}",
+        "radius_m = {:.3g}, full_threshold_m = {:.2g}, no_threshold_m = {:.3g}, power = {:.0f}",
         radius_m, 0.06 * radius_m, 2.0 * radius_m, std::min(1e4, 122.5 / (radius_m * radius_m)));
+}
+
+/// Black dots wherever anything is occluded: no eye takes them for light, whatever the scene.
+std::string speckled_of(double radius_m) {
+    return fmt::format("radius_m = {:.3g}, strength = 20, bias = 0", radius_m);
 }
 
 std::vector<Part> parts_of(const std::string& source) {
     const OpenedScene opened = open_scene(source);
-    const renderer::Camera& own = opened.camera();
-    const bool has_own = opened.builtin || own.name != "overview";
-    const renderer::Camera camera = has_own ? own : find_views(*opened.scene, 1).front().camera;
+    const bool has_own = opened.has_own_camera();
+    const renderer::Camera camera =
+        has_own ? opened.camera() : find_views(*opened.scene, 1).front().camera;
     std::vector<Validity> levels = opened.levels;
     if (levels.size() > 2) levels = {Validity::kModerate, Validity::kHigh};
     std::vector<Part> parts;
@@ -192,6 +197,7 @@ std::string starter_study(const std::string& name, const std::vector<std::string
     text += hypotheses_of(scenes);
     text += fmt::format(fmt::runtime(kTail), fmt::arg("scene", first.id),
                         fmt::arg("radius", radius_of(first.radius_m)),
+                        fmt::arg("speckled", speckled_of(first.radius_m)),
                         fmt::arg("repeated", first.id + "-ao"));
     return text;
 }

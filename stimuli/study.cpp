@@ -9,6 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/nearest.h"
 #include "stimuli/embedded.h"
 #include "stimuli/study_reader.h"
 
@@ -103,6 +104,23 @@ std::vector<StudyProblem> problems_of_study(std::string_view text,
 namespace {
 /// Texts and conditions of thousands of pairs are a hundredth of this.
 constexpr std::uintmax_t kMostStudyBytes = 64 << 20;
+
+/// The study files and packages of the folder in which one is looked for, as a command line names
+/// them.
+std::vector<std::string> studies_beside(const std::filesystem::path& wanted) {
+    const std::filesystem::path folder = wanted.parent_path();
+    std::vector<std::string> found;
+    std::error_code none;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder.empty() ? "." : folder, none)) {
+        const std::filesystem::path name = entry.path().filename();
+        if (name.extension() != ".toml" && name.extension() != ".zip") continue;
+        found.push_back((folder / name).string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 }  // namespace
 
 StudySource study_source(const std::string& file_or_name) {
@@ -113,8 +131,8 @@ StudySource study_source(const std::string& file_or_name) {
     if (!std::filesystem::exists(wanted, ignored)) {
         throw base::bad_input(
             "there is no study file {} and no built-in study of that name; "
-            "built in are {}",
-            wanted, builtin_names());
+            "built in are {}{}",
+            wanted, builtin_names(), base::did_you_mean(wanted, studies_beside(wanted)));
     }
     const std::uintmax_t bytes = std::filesystem::file_size(wanted, ignored);
     if (!ignored && bytes > kMostStudyBytes) {

@@ -33,18 +33,10 @@ constexpr std::size_t kLongestId = 64;
 std::string read_id(TableReader& reader, const std::string& key) {
     const std::optional<std::string> id = reader.text(key, Need::kRequired);
     if (!id) return "";
-    const auto safe = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '-' || c == '_' || c == '.';
-    };
-    if (id->empty() || id->size() > kLongestId || id->front() == '.' || id->front() == '-' ||
-        !std::all_of(id->begin(), id->end(), safe)) {
-        reader.add(key, fmt::format("{} cannot be part of a file name, allowed are 1 to {} of "
-                                    "A-Z a-z 0-9 - _ . not beginning with - or .",
-                                    in_quotes(*id), kLongestId));
-        return "";
-    }
-    return *id;
+    const std::string problem = problem_of_id(*id);
+    if (problem.empty()) return *id;
+    reader.add(key, problem);
+    return "";
 }
 
 void read_resolution(TableReader& reader, Study& study) {
@@ -293,6 +285,20 @@ void read_root(const toml::table& root, SceneReader& scene_reader, StudyReading&
 }
 
 }  // namespace
+
+std::string problem_of_id(const std::string& id) {
+    const auto safe = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_' || c == '.';
+    };
+    const bool holds = !id.empty() && id.size() <= kLongestId && id.front() != '.' &&
+                       id.front() != '-' && std::all_of(id.begin(), id.end(), safe);
+    if (holds) return "";
+    return fmt::format(
+        "{} cannot be part of a file name, allowed are 1 to {} of A-Z a-z 0-9 - _ . not beginning "
+        "with - or .",
+        in_quotes(id), kLongestId);
+}
 
 StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& catalogue,
                         const std::filesystem::path& folder, SceneFiles files) {

@@ -20,6 +20,9 @@ struct StudyReading {
     std::vector<StudyProblem> problems;
 };
 
+/// What stands against a study's name or an id, which become names of files; empty where nothing.
+[[nodiscard]] std::string problem_of_id(const std::string& id);
+
 /// Reads the text of a study file against the scenes that there are. Paths in it are relative to
 /// `folder`; files of scenes are opened or not. Throws nothing of its own.
 [[nodiscard]] StudyReading read_study(std::string_view text,

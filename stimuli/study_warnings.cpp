@@ -3,6 +3,9 @@
 #include "stimuli/study_warnings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "renderer/technique/variant.h"
 
@@ -28,6 +31,26 @@ std::vector<std::string> differences_of(const renderer::Variant& a, const render
     return words;
 }
 
+/// What is to be said of a file is said once, however many scenes show it.
+std::vector<std::string> warnings_of_files(const Study& study) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> said;  // and by which scenes
+    for (const StudyScene& scene : study.scenes) {
+        for (const std::string& note : scene.notes) {
+            const std::string what = fmt::format("{}: {}", scene.source, note);
+            auto known = std::find_if(said.begin(), said.end(),
+                                      [&](const auto& one) { return one.first == what; });
+            if (known == said.end()) known = said.insert(known, {what, {}});
+            known->second.push_back(scene.id);
+        }
+    }
+    std::vector<std::string> warnings;
+    for (const auto& [what, scenes] : said) {
+        warnings.push_back(fmt::format("scene{} \"{}\": {}", scenes.size() > 1 ? "s" : "",
+                                       fmt::join(scenes, "\", \""), what));
+    }
+    return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const Study& study) {
@@ -49,14 +72,11 @@ std::vector<std::string> notes_on(const Study& study) {
 }
 
 std::vector<std::string> warnings_of(const Study& study) {
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = warnings_of_files(study);
     for (const StudyScene& scene : study.scenes) {
         const auto add = [&](const std::string& what) {
             warnings.push_back(fmt::format("scene \"{}\": {}", scene.id, what));
         };
-        for (const std::string& note : scene.notes) {
-            add(fmt::format("{}: {}", scene.source, note));
-        }
         const auto unused = [&](bool given, const char* what) {
             if (given) {
                 add(fmt::format("{} no effect at the validity {}", what,

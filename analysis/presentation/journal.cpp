@@ -57,6 +57,11 @@ std::string journal_points(const Interval& interval) {
 
 std::string verdict_line(const Analysis& analysis, const Verdict& verdict) {
     std::string text = verdict_words(verdict);
+    if (verdict.conclusion == Conclusion::kNotTested) {  // its sentence says why
+        text = verdict.sentence.substr(verdict.hypothesis.size() + 2);
+        if (text.ends_with('.')) text.pop_back();
+        return text;
+    }
     if (!verdict.is_on_validity) {
         const auto result = std::find_if(
             analysis.hypotheses.begin(), analysis.hypotheses.end(),

@@ -23,6 +23,7 @@
 #include "app/commands/list.h"
 #include "app/commands/look_log.h"
 #include "app/commands/report_input.h"
+#include "app/commands/store_argument.h"
 #include "app/commands/study_argument.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
@@ -59,6 +60,7 @@ struct Answers {
     analysis::Possible<analysis::Attendance> attendance =
         analysis::Possible<analysis::Attendance>::none("only votes are known");
     std::optional<analysis::QuestionsResult> questions = {};
+    std::map<std::string, int> study_files = {};  ///< SHA-256, and how many sessions began with it
 };
 
 /// What else was asked of each pair; nothing where only they were, with what stands in the way.
@@ -100,6 +102,13 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
         answers.tally =
             analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
         answers.questions = questions_of(store, answers.tally, *kind);
+        if (!options.study_file.empty()) {
+            store.each_session([&](const analysis::SessionRecord& session) {
+                if (session.study == answers.tally.study && session.kind == *kind) {
+                    ++answers.study_files[session.study_sha256];
+                }
+            });
+        }
         if (!options.preregistered.empty()) {
             answers.conducted.images = images_shown(store, answers.tally.study, *kind);
         }
@@ -118,7 +127,8 @@ Answers answers_of(const AnalyzeOptions& options, const Globals& globals) {
     }
     if (!options.counts.empty()) return {analysis::read_counts(options.counts, map)};
     if (options.trials.empty()) {
-        return answers_of_store(options.db.empty() ? globals.store_url() : options.db, options);
+        refuse_no_answers(options.db, globals);
+        return answers_of_store(store_url_from(options.db, globals), options);
     }
     Answers answers{analysis::tally_of(analysis::read_trials(options.trials, map), options.study,
                                        *analysis::kind_from(options.kind))};
@@ -148,6 +158,21 @@ std::optional<stimuli::Study> study_of(const AnalyzeOptions& options,
                               options.study_file, study.name, tally.study);
     }
     return study;
+}
+
+/// A file that was edited once answers had come: what each session fixed is analysed all the same.
+void warn_of_another_version(const std::optional<stimuli::Study>& study, const Answers& answers) {
+    if (!study) return;
+    int others = 0;
+    for (const auto& [sha256, sessions] : answers.study_files) {
+        if (sha256 != study->sha256) others += sessions;
+    }
+    if (others == 0) return;
+    base::log::warn(
+        "{} session{} of {} began with another version of its file: hypotheses, plan and rule of "
+        "exclusion are those that the sessions carry; of this file only title, question and views "
+        "are taken",
+        others, others == 1 ? "" : "s", study->name);
 }
 
 /// What is shown on the standard output.
@@ -224,6 +249,7 @@ base::ExitCode analyze(AnalyzeOptions options, const Globals& globals) {
         answers.tally.looks_before = looks->looks();
     }
     const std::optional<stimuli::Study> study = study_of(options, answers.tally);
+    warn_of_another_version(study, answers);
     if (study) analysis::name_views(answers.tally, stimuli::view_names(*study));
     analysis::ReportInput input;
     const analysis::AnalysisOptions parts{wants_model(options, answers.tally)};
@@ -248,10 +274,7 @@ base::ExitCode analyze(AnalyzeOptions options, const Globals& globals) {
 }
 
 void attach_sources(const Options& app, AnalyzeOptions& options) {
-    const Option db = app.add("--db", options.db,
-                              "Response store, sqlite3://FILE or postgresql://... "
-                              "(default: sqlite3://DATA/responses.sqlite)")
-                          .type("URL");
+    const Option db = add_store(app, options.db);
     const Option counts =
         app.add("--counts", options.counts,
                 "Votes from a table: variant_a,variant_b,count_a,count_b, and where they are there "
@@ -289,7 +312,7 @@ void attach_sources(const Options& app, AnalyzeOptions& options) {
 std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals& globals) {
     auto options = std::make_shared<AnalyzeOptions>();
     attach_sources(app, *options);
-    app.add_flag("--validity", options->validity,
+    app.add_flag("--by-validity", options->validity,
                  "Also ask whether the preference depends on ecological validity, as the built-in "
                  "study does: the same two variants in the same scene at two levels; corrected "
                  "together with the hypotheses");
@@ -299,7 +322,7 @@ std::function<base::ExitCode()> attach_analyze(const Options& app, const Globals
                     "(default: for up to {} answers)",
                     analysis::kMostModelled));
     app.add_flag("--no-model", options->no_model, "Leave that out").excludes({model});
-    const Option json = app.add_flag("--json", options->json, "Print JSON instead of a table");
+    const Option json = app.add_flag("--json", options->json, "Print JSON");
     app.add_flag("--full", options->full,
                  "Print every test in words instead of one screen: what analysis.txt of the report "
                  "holds")

@@ -150,21 +150,20 @@ std::function<base::ExitCode()> attach_ao(const Options& app, const Globals& glo
     const auto options = std::make_shared<AoOptions>();
     add_scene_option(app, options->scene);
     add_cameras(app, options->cameras);
-    app.add("--validity", options->validity,
-            "low, moderate or high: the level of the scene's light (default: its first)")
-        .type("LEVEL");
+    add_validity(app, options->validity, "the scene's first");
     app.add("--technique", options->techniques, "One or several, see below").comma_separated();
     add_variant_options(app, options->variant);
     app.add("--size", options->size, "Of the image, in pixels").type("WxH").shows_default();
     app.add("--out", options->out,
-            "OpenEXR file: channel ao.Y, of the unfiltered reference also ao.stderr, its standard "
+            "OpenEXR file to write: channel ao.Y, of the unfiltered reference also ao.stderr, its "
+            "standard "
             "error; of several techniques or cameras a folder of such files");
     app.add("--against", options->against,
             "Compare with a file of this command, or with the ray-traced reference: RMSE, bias, "
             "mean absolute error and 99th percentile over surfaces, and beside --out the "
             "difference as EXR and PNG")
         .type("FILE|reference");
-    app.add("--rays", options->rays, "Of that reference, a pixel").shows_default();
+    app.add("--rays", options->rays, "Rays a pixel of that reference").shows_default();
     app.add_flag("--json", options->json, "Print JSON");
     app.add_flag("--closed-forms", options->closed_forms,
                  "Instead: hold the reference against every scene whose accessibility is known, "
@@ -176,7 +175,7 @@ std::function<base::ExitCode()> attach_ao(const Options& app, const Globals& glo
 }  // namespace
 
 Command ao_command() {
-    return {"ao", "Accessibility buffers by any technique, and their error", attach_ao};
+    return {"ao", "Write accessibility buffers by any technique, and find their error", attach_ao};
 }
 
 }  // namespace obscura::app

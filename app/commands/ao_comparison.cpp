@@ -113,7 +113,7 @@ AoComparison compare_ao(AoBuffers& buffers, const renderer::Camera& camera,
                         const renderer::Variant& variant, const FloatImage& measured,
                         const AoTruth& wanted) {
     AoComparison result;
-    result.camera = camera.name.empty() ? "described" : camera.name;
+    result.camera = camera.name.empty() ? "view" : camera.name;
     result.variant = variant.variant_name();
     result.width = measured.width;
     result.height = measured.height;
@@ -188,7 +188,7 @@ std::string comparison_table(const std::vector<AoComparison>& comparisons) {
             one.truth_stderr > 0.0
                 ? fmt::format("{} (its own standard error {:.4f})", one.truth, one.truth_stderr)
                 : one.truth;
-        if (truth != last) text += fmt::format("truth: {}\n", truth);
+        if (truth != last) text += fmt::format("truth of {}: {}\n", one.variant, truth);
         last = truth;
         if (!one.surfaces.has_value()) {
             text += fmt::format("{}, {}: {}\n", one.camera, one.variant, one.surfaces.reason);

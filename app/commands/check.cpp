@@ -48,6 +48,15 @@ std::vector<std::string> warnings_of(const stimuli::Study& study, const Images& 
     for (std::string& claim : stimuli::disordered_claims(study, images.manifest)) {
         warnings.push_back(std::move(claim));
     }
+    const auto stale = std::count_if(
+        images.manifest.images.begin(), images.manifest.images.end(),
+        [&](const auto& image) { return !stimuli::shows_what_is_asked(study, image); });
+    if (stale > 0) {
+        warnings.push_back(
+            fmt::format("{} of {} images are of before the study was edited; obscura render makes "
+                        "them anew",
+                        stale, images.manifest.images.size()));
+    }
     const analysis::Tally planned = planned_tally(study);
     for (const stimuli::Hypothesis& hypothesis : study.hypotheses) {
         if (hypothesis.kind != stimuli::HypothesisKind::kPreference) continue;

@@ -18,6 +18,7 @@
 #include "app/commands/study_argument.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
+#include "renderer/base/own_folder.h"
 #include "renderer/base/version.h"
 #include "stimuli/generate.h"
 #include "stimuli/view_names.h"
@@ -83,6 +84,8 @@ base::ExitCode demo(const DemoOptions& options, const Globals& globals) {
     const fs::path out = options.out.empty() ? globals.data / "demo" : options.out;
     const std::string named = study_named(options.study, globals);
     const stimuli::Study study = stimuli::load_study(named);
+    base::require_own_folder(
+        out, "--out", [](const std::string& name) { return name.starts_with("responses.sqlite"); });
     base::require_writable_folder(out, "--out");
     const fs::path file = out / "responses.sqlite";
     refuse_real_answers(file, "--out");
@@ -129,7 +132,8 @@ std::function<base::ExitCode()> attach_demo(const Options& app, const Globals& g
 }  // namespace
 
 Command demo_command() {
-    return {"demo", "The whole study without a display: render, simulate, export, analyse",
+    return {"demo",
+            "Go through the whole study without a display: render, simulate, export, analyse",
             attach_demo};
 }
 

@@ -36,16 +36,16 @@ base::ExitCode explore(const ExploreArguments& arguments, const Globals& globals
 
 std::function<base::ExitCode()> attach_explore(const Options& command, const Globals& globals) {
     auto arguments = std::make_shared<ExploreArguments>();
-    command
-        .add("what", arguments->what,
-             "Study file or built-in study, built-in scene, or a file that ends in .gltf, .glb or "
-             ".obj (default: what was open last, or the atrium)")
-        .type("STUDY|SCENE|FILE");
+    command.add(
+        "STUDY-OR-SCENE", arguments->what,
+        "Study file or built-in study; or built-in scene, or a file that ends in .gltf, .glb "
+        "or .obj (default: what was open last, or the atrium)");
     command
         .add("--size", arguments->size,
-             "WxH of the image in pixels (default: the study's, else 1280x720)")
+             "Of the image, in pixels (default: the study's, else 1280x720)")
         .type("WxH");
-    command.add("--window", arguments->window, "WxH of the window (default: as the last time)")
+    command
+        .add("--window", arguments->window, "Of the window, in pixels (default: as the last time)")
         .type("WxH");
     command.add_flag("--reset", arguments->reset,
                      "Forget the window, scene and layout of the last time");
@@ -59,8 +59,7 @@ std::function<base::ExitCode()> attach_explore(const Options& command, const Glo
 }  // namespace
 
 Command explore_command() {
-    return {"explore",
-            "A place to see, compare and choose: fly, switch techniques, move parameters",
+    return {"explore", "See, compare and choose: fly, switch techniques, move parameters",
             &attach_explore};
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/store/store.h"
 #include "app/commands/exported_study.h"
 #include "app/commands/list.h"
+#include "app/commands/store_argument.h"
 #include "app/commands/study_argument.h"
 #include "renderer/base/log.h"
 #include "renderer/base/version.h"
@@ -138,7 +139,8 @@ base::ExitCode export_answers(const ExportOptions& options, const Globals& globa
     if (options.seed && !options.anonymous) {
         throw base::bad_input("--seed {}: it needs --anonymous", *options.seed);
     }
-    const std::string url = options.db.empty() ? globals.store_url() : options.db;
+    refuse_no_answers(options.db, globals);
+    const std::string url = store_url_from(options.db, globals);
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     analysis::ExportOptions wanted;
     wanted.format = *analysis::export_format_from(options.format);
@@ -176,10 +178,7 @@ std::function<base::ExitCode()> attach_export(const Options& app, const Globals&
     auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> formats;
     for (const auto format : analysis::kExportFormats) formats.emplace_back(to_string(format));
-    app.add("--db", options->db,
-            "Response store, sqlite3://FILE or postgresql://... "
-            "(default: sqlite3://DATA/responses.sqlite)")
-        .type("URL");
+    add_store(app, options->db);
     app.add("--out", options->out, "Folder for the files").folder().required();
     app.add("--format", options->format,
             "Kind of files: csv, tsv, json (JSON Lines), bids or psych-ds")

@@ -93,7 +93,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
             "Scenes in place of a study: built-in ones, or files that end in .gltf, .glb or .obj; "
             "each by all of its cameras")
         .type("SCENE");
-    app.add("--scale", request.scale, "Metres of one unit of such a file, 1e-6 to 1e6")
+    app.add("--scale", request.scale, "Metres of one unit of such a file (1e-6 to 1e6)")
         .shows_default();
     app.add("--camera", request.cameras, "Only views by these cameras (default: all)")
         .type("NAME")
@@ -103,16 +103,18 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
                 " (default: all that compute accessibility, but for the reference)")
         .comma_separated();
     app.add("--samples", request.samples,
-            "Numbers of samples (default: 8,16,24,32,64 and what the papers use)")
+            "Samples, or rays, a pixel: one number or several (default: 8,16,24,32,64 and what the "
+            "papers use)")
         .comma_separated();
     app.add("--set", request.settings,
             "A parameter or option of every technique that has it, see obscura ao --help; several "
             "with commas or blanks between, or --set again")
         .type("KEY=VALUE")
         .comma_separated();
-    app.add("--radius", request.radius_m,
-            "Metres: how far every technique that has a radius looks, and the truth (default: the "
-            "study's)");
+    app.add(
+        "--radius", request.radius_m,
+        "How far every technique that has a radius looks, and the truth, in metres (default: the "
+        "study's)");
     app.add("--denoise", request.filters,
             "Of " + names_of(renderer::denoise_filters()) +
                 " (default: separable, and a technique's own)")
@@ -146,7 +148,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
     app.add("--experiment", request.experiment,
             "Instead: a paper's experiment, and what its outcome says of the paper's conclusion; "
             "front: all techniques in one table and chart");
-    app.add_flag("--experiments", options->lists_experiments, "Lists the papers' experiments");
+    app.add_flag("--experiments", options->lists_experiments,
+                 "Instead: list the papers' experiments");
     app.add("--out", request.out, "Folder of the results (default: DATA/reports/measure)").folder();
     return [options, &globals] { return run(*options, globals); };
 }
@@ -154,7 +157,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
 }  // namespace
 
 Command measure_command() {
-    return {"measure", "Measures speed against error, and numerical stability", attach_measure};
+    return {"measure", "Measure speed against error, and numerical stability", attach_measure};
 }
 
 }  // namespace obscura::app

@@ -7,6 +7,7 @@
 #include "analysis/store/address.h"
 #include "analysis/store/store.h"
 #include "app/commands/list.h"
+#include "app/commands/store_argument.h"
 #include "app/kiosk/store_lock.h"
 #include "renderer/base/log.h"
 
@@ -20,24 +21,17 @@ struct MergeOptions {
     std::vector<std::string> files;
 };
 
-/// A file is a store too: of SQLite.
-[[nodiscard]] std::string url_of(const std::string& file_or_url) {
-    const bool is_url =
-        file_or_url.find("://") != std::string::npos || file_or_url.find("dbname=") == 0;
-    return is_url ? file_or_url : "sqlite3://" + file_or_url;
-}
-
 [[nodiscard]] std::string counted(int count, const char* one, const char* several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
-base::ExitCode merge(const MergeOptions& options) {
-    const std::string url = url_of(options.into);
+base::ExitCode merge(const MergeOptions& options, const Globals& globals) {
+    const std::string url = store_url_from(options.into, globals);
     // No kiosk counts slots in a store that is being merged into.
     const kiosk::StoreLock lock(url);
     Store into(url, Store::Access::kReadWrite);
     for (const std::string& file : options.files) {
-        Store from(url_of(file), Store::Access::kReadOnly);
+        Store from(store_url_from(file, globals), Store::Access::kReadOnly);
         const analysis::MergedRows merged = into.take_in(from);
         fmt::print(
             "{}: {} with {} and {} merged into {}{}{}\n", analysis::without_password(file),
@@ -56,18 +50,19 @@ base::ExitCode merge(const MergeOptions& options) {
     return base::ExitCode::kDone;
 }
 
-std::function<base::ExitCode()> attach_merge(const Options& command, const Globals&) {
+std::function<base::ExitCode()> attach_merge(const Options& command, const Globals& globals) {
     auto options = std::make_shared<MergeOptions>();
-    command.add("--into", options->into, "Store to merge into: postgresql://... or sqlite3://FILE")
-        .type("URL")
+    command
+        .add("--into", options->into,
+             "Store to merge into: an SQLite file, also as sqlite3://FILE, or postgresql://...")
+        .type("FILE|URL")
         .required();
-    command.add("files", options->files, "Stores of kiosks that ran for themselves")
-        .type("FILE")
+    command.add("STORE", options->files, "Stores of kiosks that ran for themselves, as --into")
         .required();
     command.footer(
         "All of a file or nothing: it is refused where the study file or its images are not those "
         "of the store. Merging a file again adds what it has more.");
-    return [options] { return merge(*options); };
+    return [options, &globals] { return merge(*options, globals); };
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ base::ExitCode make(const NewOptions& options) {
             "NAME: \"{}\" is no name of a study; the file NAME.toml is written into this folder",
             options.name);
     }
+    if (const std::string wrong = stimuli::problem_of_id(options.name); !wrong.empty()) {
+        throw base::bad_input("NAME: {}", wrong);
+    }
     const std::filesystem::path file = options.name + ".toml";
     if (std::filesystem::exists(file)) {
         throw base::bad_input("{} is there already, and is left as it is", file.string());
@@ -55,6 +58,7 @@ Command new_command() {
             app.add("--scene", options->scenes,
                     "Built-in scene, or a file that ends in .gltf, .glb or .obj; repeatable "
                     "(default: atrium)")
+                .type("SCENE")
                 .repeatable();
             return [options] { return make(*options); };
         }};

@@ -29,8 +29,10 @@ Option Option::between(std::int64_t least, std::int64_t most) const {
     const std::string allowed = most == std::numeric_limits<std::int64_t>::max()
                                     ? fmt::format(" (from {})", least)
                                     : fmt::format(" ({} to {})", least, most);
-    return Option(
-        *option_->check(range.description(""))->description(option_->get_description() + allowed));
+    std::string what = option_->get_description();
+    const std::size_t standard = what.find(" (default: ");  // the last that is said
+    what.insert(standard == std::string::npos ? what.size() : standard, allowed);
+    return Option(*option_->check(range.description(""))->description(what));
 }
 Option Option::existing_folder() const {
     return Option(*option_->check(CLI::ExistingDirectory.description(""))->type_name("FOLDER"));
@@ -111,6 +113,12 @@ class HelpFormat : public CLI::Formatter {
         const std::string type = option->get_type_name();
         return (type.empty() ? "" : " " + type) + (several ? " ..." : "");
     }
+    std::string make_footer(const CLI::App* app) const override {
+        const std::string own = app->get_footer().empty() ? "" : app->get_footer() + "\n";
+        if (app->get_parent() == nullptr) return own;
+        return own + (own.empty() ? "" : "\n") +
+               "Every command also takes --data, --allow and --quiet: see obscura --help.\n";
+    }
     std::string make_option_desc(const CLI::Option* option) const override {
         return what_of(*option);
     }
@@ -176,11 +184,35 @@ std::string of_unknown_options(const CLI::App& program, const std::vector<std::s
         const std::string name = word.substr(0, word.find('='));
         if (!name.starts_with("--") || name == "--") continue;
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const std::optional<std::string> meant = base::nearest(name, known);
         text += fmt::format("{}there is no option {}{}", text.empty() ? "" : "; ", name,
-                            meant ? fmt::format("; did you mean {}?", *meant) : "");
+                            base::did_you_mean(name, known));
     }
     return text;
+}
+
+/// `Could not convert: --radius = 50cm` as the rest of the program would say it.
+std::string in_words_of_conversion(const std::string& text) {
+    const std::size_t colon = text.find(": ");
+    const std::size_t equals = text.find(" = ");
+    if (colon == std::string::npos || equals == std::string::npos || equals < colon) return text;
+    return fmt::format("{}: \"{}\" is no number that it can take",
+                       text.substr(colon + 2, equals - colon - 2), text.substr(equals + 3));
+}
+
+/// The word in the place of a command that is none, with what may have been meant; empty where
+/// nothing stands there.
+std::string of_unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
+    const CLI::App& chosen = chosen_app(program);
+    std::vector<std::string> known;
+    for (const CLI::App* sub : chosen.get_subcommands([](const CLI::App*) { return true; })) {
+        known.push_back(sub->get_name());
+    }
+    const auto own = std::find(words.begin(), words.end(), chosen.get_name());
+    if (known.empty() || own == words.end() || own + 1 == words.end()) return "";
+    const std::string& word = *(own + 1);
+    if (word.starts_with("-")) return "";
+    return fmt::format("{} has no command \"{}\"; it has {}{}", chosen.get_name(), word,
+                       fmt::join(known, ", "), base::did_you_mean(word, known));
 }
 
 /// What the library says, as the rest of the program would.
@@ -194,7 +226,10 @@ std::string in_our_words(const CLI::App& program, const CLI::ParseError& error,
     if (too_much || is(CLI::ExitCodes::RequiredError)) {
         const std::string unknown = of_unknown_options(program, words);
         if (!unknown.empty()) text = unknown;
+        const std::string command = of_unknown_command(program, words);
+        if (!command.empty()) text = command;
     }
+    if (is(CLI::ExitCodes::ConversionError)) text = in_words_of_conversion(text);
     if (const std::size_t at = text.rfind("not expected: "); too_much && at != std::string::npos) {
         text = fmt::format("\"{}\" is one value too many", text.substr(text.rfind(' ') + 1));
     }
@@ -204,7 +239,6 @@ std::string in_our_words(const CLI::App& program, const CLI::ParseError& error,
         }
     };
     replace(" is required", " is missing");
-    replace("Could not convert: ", "");
     replace("A subcommand is missing", "a command is missing");
     std::string name = program.get_name();
     for (const CLI::App* app = &program; !app->get_subcommands().empty();) {

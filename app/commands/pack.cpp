@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 
 #include "app/commands/list.h"
 #include "app/commands/study_argument.h"
@@ -29,13 +30,15 @@ base::ExitCode pack(const PackOptions& options, const Globals& globals) {
     const std::filesystem::path out =
         options.out.empty() ? std::filesystem::path(name + ".zip") : options.out;
     const stimuli::Package package = stimuli::pack(source, globals.data / "stimuli" / name, out);
+    std::set<std::string> without;
     for (const stimuli::SceneLicence& one : package.licences) {
-        if (one.licence.empty()) {
-            base::log::warn(
-                "warning: scene \"{}\": nobody says under which licence {} may be passed on; say "
-                "it in the study: licence = \"...\"",
-                one.scene, one.source);
-        }
+        if (one.licence.empty()) without.insert(one.source);
+    }
+    for (const std::string& file : without) {
+        base::log::warn(
+            "warning: nobody says under which licence {} may be passed on; say it in its "
+            "[[scene]]: licence = \"...\"",
+            file);
     }
     base::log::info("{}: study {}, {} files; next: obscura check {}", out.string(), package.study,
                     package.files, out.string());

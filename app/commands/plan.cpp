@@ -48,9 +48,10 @@ std::string_view first_image(const SessionOrder& session, std::size_t position) 
 void print_sessions(const std::vector<SessionOrder>& sessions,
                     const std::vector<std::string>& ids) {
     fmt::print(
-        "Who sees what: III-a means that of condition III image A is shown first.\n"
+        "Who sees what: {0}-a means that of condition {0} image A is shown first.\n"
         "Squares and rows count from 0, as in trials.csv.\n\n"
-        "participant  square  row  swapped  order of the conditions\n");
+        "participant  square  row  swapped  order of the conditions\n",
+        ids.front());
     for (const SessionOrder& session : sessions) {
         std::string shown;
         for (std::size_t i = 0; i < session.conditions.size(); ++i) {

@@ -312,25 +312,25 @@ std::function<base::ExitCode()> attach_power(const Options& app, const Globals& 
                                    "none: of one condition alone; of a study it is the power of "
                                    "its verdicts, by simulating it as planned");
     for (const Option& own : add_own_options(app, options->observers)) own.needs(study);
-    app.add("--studies", options->studies, "Simulated studies for each number, 100 to 100000")
+    app.add("--studies", options->studies, "Simulated studies for each number (100 to 100000)")
         .shows_default()
         .needs(study);
-    app.add("--seed", options->seed, "Of the simulation").shows_default().needs(study);
+    app.add("--seed", options->seed, "Seed of the simulation").shows_default().needs(study);
     app.add("--share", options->shares,
-            "True shares of votes for the preferred image, 0 to 1, at least .001 from .5 "
+            "True shares of votes for the preferred image, at least .001 from .5 (0 to 1) "
             "(default: .55 .60 .65 .70 .75 .80; of a study .65)");
     const Option level =
-        app.add("--level", options->level, "p below which a result is significant, 0 to 1")
+        app.add("--level", options->level, "p below which a result is significant (0 to 1)")
             .shows_default();
-    app.add("--power", options->power, "Chance of a significant result, 0 to 1").shows_default();
+    app.add("--power", options->power, "Chance of a significant result (0 to 1)").shows_default();
     const Option conditions = app.add("--conditions", options->conditions,
                                       "Conditions that are tested, corrected by Holm's method")
                                   .shows_default();
     app.add("--participants", options->participants,
             "Say what power this number of participants has");
-    const Option curve = app.add("--curve", options->curve,
-                                 "Power over numbers of participants, FROM:TO or FROM:TO:STEP");
-    const Option json = app.add_flag("--json", options->json, "Print JSON instead of tables");
+    const Option curve = app.add("--curve", options->curve, "Power over numbers of participants")
+                             .type("FROM:TO[:STEP]");
+    const Option json = app.add_flag("--json", options->json, "Print JSON");
     app.add_flag("--csv", options->csv, "Print the curve alone, as CSV")
         .needs(curve)
         .excludes({json});
@@ -344,7 +344,7 @@ std::function<base::ExitCode()> attach_power(const Options& app, const Globals& 
 }  // namespace
 
 Command power_command() {
-    return {"power", "How many participants does a study need?", attach_power};
+    return {"power", "Find how many participants a study needs", attach_power};
 }
 
 }  // namespace obscura::app

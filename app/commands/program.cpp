@@ -41,9 +41,8 @@ void name_unknown_command(const std::vector<std::string>& words) {
                 known += (known.empty() ? "" : ", ") + command.name;
                 names.push_back(command.name);
             }
-            const auto meant = base::nearest(words[i], names);
-            throw base::bad_input("there is no command \"{}\"{}; there are {}", words[i],
-                                  meant ? fmt::format("; did you mean {}?", *meant) : "", known);
+            throw base::bad_input("there is no command \"{}\"; there are {}{}", words[i], known,
+                                  base::did_you_mean(words[i], names));
         }
     }
 }
@@ -52,6 +51,7 @@ void name_unknown_command(const std::vector<std::string>& words) {
 std::vector<std::string> without_help(std::vector<std::string> words) {
     if (!words.empty() && words.front() == "help") {
         words.erase(words.begin());
+        if (!words.empty() && words.front() == "help") words.erase(words.begin());
         words.emplace_back("--help");
     }
     return words;
@@ -79,6 +79,7 @@ Program::Program(std::function<std::string()> version)
     program.add("--completion", shell_, "Print what a shell needs to complete words, and exit")
         .one_of(known_shells());
     program.add_flag("--manual", wants_manual_, "Print the manual page (troff), and exit");
+    program.footer("obscura help COMMAND, or obscura COMMAND --help: what a command takes.");
     for (const Command& command : commands()) {
         const Options options = program.add_command(command.name, command.summary);
         options.when_given([this, act = command.attach(options, globals_)] { chosen_ = act; });

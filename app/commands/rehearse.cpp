@@ -17,11 +17,28 @@ namespace fs = std::filesystem;
 
 struct RehearseOptions {
     std::string study;
-    int participants = 0;
+    std::optional<int> participants;  ///< nothing: as many as the study plans, else 36
     ObserverOptions observers;
     std::optional<std::uint64_t> seed;  ///< nothing: the study's
-    fs::path store;                     ///< empty: DATA/rehearsal/STUDY.sqlite
+    std::string store;                  ///< empty: DATA/rehearsal/STUDY.sqlite
 };
+
+constexpr int kUsualParticipants = 36;
+
+int participants_of(const RehearseOptions& options, const stimuli::Study& study) {
+    const std::vector<int>& looks = study.stopping.looks;
+    return options.participants.value_or(looks.empty() ? kUsualParticipants : looks.back());
+}
+
+/// The file that the answers go into.
+fs::path file_of(const RehearseOptions& options, const stimuli::Study& study,
+                 const Globals& globals) {
+    if (options.store.empty()) return globals.data / "rehearsal" / (study.name + ".sqlite");
+    constexpr std::string_view kScheme = "sqlite3://";
+    if (options.store.starts_with(kScheme)) return options.store.substr(kScheme.size());
+    if (options.store.find("://") == std::string::npos) return options.store;
+    throw base::bad_input("--db {}: simulated answers go into an SQLite file", options.store);
+}
 
 /// The images that were rendered, else none: an analysis needs no pixel of them, and a hash that is
 /// not there says so.
@@ -44,37 +61,36 @@ base::ExitCode rehearse(const RehearseOptions& options, const Globals& globals) 
     const std::string named = study_named(options.study, globals);
     const stimuli::Study study = stimuli::load_study(named, stimuli::SceneFiles::kTrusted);
     const kiosk::ChoiceModel choices = choices_from(options.observers, study);
-    const fs::path file = options.store.empty()
-                              ? globals.data / "rehearsal" / (study.name + ".sqlite")
-                              : options.store;
+    const fs::path file = file_of(options, study, globals);
+    const int participants = participants_of(options, study);
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    base::require_writable_folder(folder, "--store");
+    base::require_writable_folder(folder, "--db");
     simulate_into_store(study, rendered_images(study, globals.data), choices,
-                        {file, "--store", options.participants, options.seed.value_or(study.seed),
+                        {file, "--db", participants, options.seed.value_or(study.seed),
                          globals.quiet, stimuli::load_questions(named)});
     fmt::print(
         "{} through the study {}, simulated: nobody has looked at these images.\n"
         "answers   {}\n"
-        "analyse   obscura analyze --db {} --kind simulated\n",
-        options.participants == 1 ? "1 observer"
-                                  : fmt::format("{} observers", options.participants),
-        study.name, file.string(), store_url_of(file));
+        "analyse   obscura analyze {} --kind simulated --db {}\n",
+        participants == 1 ? "1 observer" : fmt::format("{} observers", participants), study.name,
+        file.string(), options.study.empty() ? study.name : options.study, file.string());
     return base::ExitCode::kDone;
 }
 
 std::function<base::ExitCode()> attach_rehearse(const Options& app, const Globals& globals) {
     auto options = std::make_shared<RehearseOptions>();
     add_study(app, options->study);
-    app.add("--participants", options->participants, "Simulated observers")
-        .type("N")
-        .required()
+    app.add("--participants", options->participants,
+            fmt::format("Simulated observers (default: as many as the study's last "
+                        "look, else {})",
+                        kUsualParticipants))
         .between(1, 100000);
     add_observer_options(app, options->observers);
-    app.add("--seed", options->seed, "Of the observers' answers (default: the study's)");
-    app.add("--store", options->store,
-            "File for the answers, replaced unless it holds answers of participants "
-            "(default: DATA/rehearsal/STUDY.sqlite)")
-        .type("FILE");
+    app.add("--seed", options->seed, "Seed of the observers' answers (default: the study's)");
+    app.add("--db", options->store,
+            "Store of the answers: an SQLite file, replaced unless it holds answers of "
+            "participants (default: DATA/rehearsal/STUDY.sqlite)")
+        .type("FILE|URL");
     app.footer(
         "The observers go through the kiosk's procedure on a clock of their own; every row of the "
         "store says that they are simulated, and so does every report of it. Their answers stand "
@@ -86,7 +102,7 @@ std::function<base::ExitCode()> attach_rehearse(const Options& app, const Global
 
 Command rehearse_command() {
     return {"rehearse",
-            "Simulated observers through a study, to try its analysis before anybody comes",
+            "Send simulated observers through a study, to try its analysis before anybody comes",
             attach_rehearse};
 }
 

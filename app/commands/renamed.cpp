@@ -18,9 +18,13 @@ struct Renamed {
 };
 
 constexpr std::array kRenamed{
-    Renamed{"analyze", "--study", "STUDY"},       Renamed{"analyze", "--study-file", "STUDY"},
-    Renamed{"export", "--study", "STUDY"},        Renamed{"measure", "--techniques", "--technique"},
+    Renamed{"analyze", "--study", "STUDY"},
+    Renamed{"analyze", "--study-file", "STUDY"},
+    Renamed{"export", "--study", "STUDY"},
+    Renamed{"measure", "--techniques", "--technique"},
     Renamed{"measure", "--filters", "--denoise"},
+    Renamed{"rehearse", "--store", "--db"},
+    Renamed{"analyze", "--validity", "--by-validity"},
 };
 
 }  // namespace

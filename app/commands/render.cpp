@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -55,9 +56,11 @@ base::ExitCode verify(const stimuli::Study& study, const RenderOptions& options,
 
 /// How far the images of each pair are apart.
 void print_pairs(const std::vector<stimuli::ManifestPair>& pairs) {
+    std::size_t width = 0;
+    for (const stimuli::ManifestPair& pair : pairs) width = std::max(width, pair.condition.size());
     for (const stimuli::ManifestPair& pair : pairs) {
-        fmt::print("{:20} {:6.2f} % of the pixels differ visibly, the most by {:.1f} in CIELAB\n",
-                   pair.condition, 100.0 * pair.difference.over_threshold,
+        fmt::print("{:{}} {:6.2f} % of the pixels differ visibly, the most by {:.1f} in CIELAB\n",
+                   pair.condition, width, 100.0 * pair.difference.over_threshold,
                    pair.difference.largest_delta_e);
     }
 }
@@ -118,7 +121,7 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
 
 Command render_command() {
     return {
-        "render", "Makes the stimulus images of a study and their manifest",
+        "render", "Make the stimulus images of a study and their manifest",
         [](const Options& app, const Globals& globals) -> std::function<base::ExitCode()> {
             const auto options = std::make_shared<RenderOptions>();
             add_study(app, options->study);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "app/commands/list.h"
+#include "app/commands/store_argument.h"
 #include "app/commands/study_argument.h"
 
 #include <fmt/format.h>
@@ -140,7 +141,8 @@ kiosk::ResponseBoxOptions box_of(const RunOptions& options) {
 }
 
 base::ExitCode run(const RunOptions& options, const Globals& globals) {
-    refuse_missing_folder(options.store_url);
+    refuse_missing_folder(options.store_url.empty() ? ""
+                                                    : store_url_from(options.store_url, globals));
     const std::string named = study_named(options.study, globals);
     const stimuli::Study study = stimuli::load_study(named, stimuli::SceneFiles::kTrusted);
     if (const auto problems = kiosk::problems_of_texts(study); !problems.empty()) {
@@ -148,7 +150,7 @@ base::ExitCode run(const RunOptions& options, const Globals& globals) {
     }
     kiosk::KioskOptions kiosk_options;
     kiosk_options.folder = stimuli::stimuli_folder(globals.data, study);
-    kiosk_options.store_url = options.store_url.empty() ? globals.store_url() : options.store_url;
+    kiosk_options.store_url = store_url_from(options.store_url, globals);
     kiosk_options.remedy = fmt::format("obscura render {} --data {}", named, globals.data.string());
     kiosk_options.backups = globals.data / "backups";
     kiosk_options.monitor = options.monitor;
@@ -203,11 +205,7 @@ void add_response_box(const Options& command, RunOptions& options) {
 std::function<base::ExitCode()> attach_run(const Options& command, const Globals& globals) {
     auto options = std::make_shared<RunOptions>();
     add_study(command, options->study);
-    command
-        .add("--db", options->store_url,
-             "Response store: sqlite3://FILE or postgresql://... (default: "
-             "responses.sqlite in the data folder)")
-        .type("URL");
+    add_store(command, options->store_url);
     command
         .add("--monitor", options->monitor,
              "Monitor to fill: its number from 0 or its name (default: the last one, at first 0)")
@@ -241,7 +239,7 @@ std::function<base::ExitCode()> attach_run(const Options& command, const Globals
 }  // namespace
 
 Command run_command() {
-    return {"run", "The kiosk: runs participants through a study", &attach_run};
+    return {"run", "Run participants through a study: the kiosk", &attach_run};
 }
 
 }  // namespace obscura::app

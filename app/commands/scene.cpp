@@ -10,6 +10,7 @@
 #include "app/commands/list.h"
 #include "app/commands/scene_argument.h"
 #include "app/commands/scene_views.h"
+#include "app/commands/variant_arguments.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/export/gltf_export.h"
@@ -63,17 +64,9 @@ base::ExitCode list_scenes(bool json) {
 }
 
 base::ExitCode inspect(const SceneOptions& options) {
-    const renderer::Technique* technique = renderer::find_technique(options.technique);
-    if (technique == nullptr) {
-        std::string known;
-        for (const renderer::Technique& one : renderer::techniques()) {
-            known += (known.empty() ? "" : ", ") + one.name;
-        }
-        throw base::bad_input("--technique: there is no technique \"{}\"; there are {}",
-                              options.technique, known);
-    }
-    renderer::Variant choice = renderer::standard_variant(*technique);
-    choice.denoise = renderer::standard_denoise(*technique);
+    const renderer::Technique& technique = technique_named(options.technique);
+    renderer::Variant choice = renderer::standard_variant(technique);
+    choice.denoise = renderer::standard_denoise(technique);
     const auto [width, height] = parse_size(options.size);
     const stimuli::OpenedScene scene = options.scene.open();
     if (options.json) {
@@ -124,14 +117,14 @@ std::function<base::ExitCode()> attach_scene(const Options& app, const Globals&)
     const auto options = std::make_shared<SceneOptions>();
     const auto chosen = std::make_shared<std::function<base::ExitCode()>>();
     app.require_command();
-    const Options lister =
-        app.add_command("list", "The built-in scenes: triangles, cameras, levels, what each needs");
+    const Options lister = app.add_command(
+        "list", "List the built-in scenes: triangles, cameras, levels, what each needs");
     lister.add_flag("--json", options->json, "Print JSON");
     lister.when_given(
         [chosen, options] { *chosen = [options] { return list_scenes(options->json); }; });
 
     const Options inspector = app.add_command(
-        "inspect", "How large a scene is, its cameras, and what of it is not shown");
+        "inspect", "Say how large a scene is, its cameras, and what of it is not shown");
     add_scene(inspector, options->scene);
     inspector.add_flag("--all", options->all,
                        "Also materials, textures, lights, files, and what an image of each level "

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kSceneHelp = "Built-in scene, or a file that ends in .gltf, .glb or .obj";
 
 void add_scale(const Options& app, SceneArgument& argument) {
-    app.add("--scale", argument.scale, "Metres of one unit of the file, 1e-6 to 1e6")
+    app.add("--scale", argument.scale, "Metres of one unit of the file (1e-6 to 1e6)")
         .shows_default();
 }
 
@@ -75,14 +75,21 @@ void add_scene_option(const Options& app, SceneArgument& argument) {
     add_scale(app, argument);
 }
 
+void add_validity(const Options& app, std::string& validity, const std::string& otherwise) {
+    app.add("--validity", validity,
+            fmt::format("Level of the scene's light (default: {})", otherwise))
+        .type("low|moderate|high");
+}
+
 void add_cameras(const Options& app, CameraArguments& arguments) {
     app.add("--camera", arguments.names,
             "Camera by its name (default: the first; the best view of a file without any)")
         .type("NAME")
         .comma_separated();
-    app.add("--position", arguments.position, "Of a camera of your own, in metres").type("X,Y,Z");
+    app.add("--position", arguments.position, "Place of a camera of your own, in metres")
+        .type("X,Y,Z");
     app.add("--look-at", arguments.look_at, "What it looks at, in metres").type("X,Y,Z");
-    app.add("--fov", arguments.fov_deg, "Its vertical field of view, 1 to 170 degrees")
+    app.add("--fov", arguments.fov_deg, "Its vertical field of view, in degrees (1 to 170)")
         .shows_default();
 }
 
@@ -95,9 +102,8 @@ std::vector<renderer::Camera> cameras_of(const CameraArguments& arguments,
     std::vector<renderer::Camera> cameras;
     for (const std::string& name : arguments.names) cameras.push_back(opened.camera(name));
     if (!cameras.empty()) return cameras;
-    const std::vector<renderer::Camera>& own = opened.scene->cameras;
-    const bool has_own = opened.builtin || own.size() > 1 || own.front().name != "overview";
-    return {has_own ? opened.camera() : stimuli::find_views(*opened.scene, 1).front().camera};
+    return {opened.has_own_camera() ? opened.camera()
+                                    : stimuli::find_views(*opened.scene, 1).front().camera};
 }
 
 std::string line_of(const renderer::Camera& camera) {

@@ -28,6 +28,9 @@ void add_scene(const Options& app, SceneArgument& argument);
 /// --scene and --scale, of a command to which a scene is one thing among others.
 void add_scene_option(const Options& app, SceneArgument& argument);
 
+/// --validity, the level of a scene's light; `otherwise` says which where nothing is said.
+void add_validity(const Options& app, std::string& validity, const std::string& otherwise);
+
 /// Cameras as a command line names or describes them.
 struct CameraArguments {
     std::vector<std::string> names;

@@ -9,6 +9,7 @@
 
 #include "app/commands/image_size.h"
 #include "app/commands/scene_argument.h"
+#include "app/commands/variant_arguments.h"
 #include "renderer/base/files.h"
 #include "renderer/base/log.h"
 #include "renderer/frame/renderer.h"
@@ -39,12 +40,9 @@ struct ViewOptions {
 class Painter {
   public:
     explicit Painter(const ViewOptions& options) {
+        technique_ = &technique_named(options.technique);
         opened_ = options.scene.open();
         say_notes(opened_);
-        technique_ = renderer::find_technique(options.technique);
-        if (technique_ == nullptr) {
-            throw base::bad_input("--technique: there is no technique \"{}\"", options.technique);
-        }
         // Where nothing is said, light that shows shapes.
         const bool has_moderate = std::find(opened_.levels.begin(), opened_.levels.end(),
                                             stimuli::Validity::kModerate) != opened_.levels.end();
@@ -188,9 +186,7 @@ base::ExitCode cameras(const ViewOptions& options) {
 
 void add_view_options(const Options& app, ViewOptions& options) {
     add_scene(app, options.scene);
-    app.add("--validity", options.validity,
-            "Level of light (default: moderate, else the scene's first)")
-        .type("LEVEL");
+    add_validity(app, options.validity, "moderate, else the scene's first");
     app.add_flag("--json", options.json, "Print JSON");
     app.add("--technique", options.technique, "Technique of the images").shows_default();
 }
@@ -211,7 +207,7 @@ void attach_cameras(const Options& scene, const ChosenAct& chosen) {
 void attach_preview(const Options& scene, const ChosenAct& chosen) {
     const auto options = std::make_shared<ViewOptions>();
     const Options app = scene.add_command(
-        "preview", "One image of a scene, and its camera's line for a study file");
+        "preview", "Render one image of a scene, and print its camera's line for a study file");
     add_view_options(app, *options);
     add_cameras(app, options->cameras);
     app.add("--size", options->size, "Of the image, in pixels").type("WxH").shows_default();

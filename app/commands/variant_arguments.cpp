@@ -25,12 +25,19 @@ void add_variant_options(const Options& app, VariantArguments& arguments) {
         .type("KEY=VALUE")
         .comma_separated();
     app.add("--radius", arguments.radius_m,
-            "Metres: how far a technique that has a radius looks (default: the technique's)");
+            "How far a technique that has a radius looks, in metres (default: the technique's)");
     app.add("--preset", arguments.preset,
             "Values of the parameters that are not set: published, or fitted to the truth")
         .one_of(renderer::preset_names())
         .shows_default();
     app.add("--denoise", arguments.denoise, "Filter of the buffer, see below").shows_default();
+}
+
+const renderer::Technique& technique_named(const std::string& name) {
+    if (const renderer::Technique* const found = renderer::find_technique(name)) return *found;
+    renderer::Variant unknown;
+    unknown.technique = name;
+    throw base::bad_input("--technique: {}", renderer::problems_of(unknown).front().message);
 }
 
 renderer::Variant variant_from(const VariantArguments& arguments) {
@@ -44,7 +51,7 @@ renderer::Variant variant_from(const VariantArguments& arguments) {
     for (const std::string& setting : arguments.settings) {
         const std::string key = setting.substr(0, setting.find('='));
         if (!renderer::set(variant, setting)) {
-            throw base::bad_input("--set: \"{}\" is not KEY=NUMBER, such as radius_m=0.5", setting);
+            throw base::bad_input("--set: \"{}\" is not KEY=VALUE, such as radius_m=0.5", setting);
         }
         if (!seen.insert(key).second) throw base::bad_input("--set: \"{}\" is set twice", key);
     }

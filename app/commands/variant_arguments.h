@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/options.h"
+#include "renderer/technique/technique.h"
 #include "renderer/technique/variant.h"
 
 namespace obscura::app {
@@ -24,6 +25,9 @@ struct VariantArguments {
 
 /// --samples, --set, --radius, --preset and --denoise; the technique is the command's own.
 void add_variant_options(const Options& app, VariantArguments& arguments);
+
+/// The technique that --technique names. Throws bad input with those that there are.
+[[nodiscard]] const renderer::Technique& technique_named(const std::string& name);
 
 /// Throws bad input naming every option that is wrong, with its value and what is allowed.
 [[nodiscard]] renderer::Variant variant_from(const VariantArguments& arguments);

@@ -63,10 +63,13 @@ void refuse_clock_that_ran_backwards(analysis::Store& store) {
 void refuse_loose_pace(const Pace& pace, const Window& window) {
     if (pace.locked) return;
     throw base::failure(
-        "the refresh test failed: frames come {:.2f} ms apart, the monitor's {:.0f} Hz are {:.2f} "
-        "ms: let swapping wait for the display (vblank_mode, the driver's settings), and turn off "
-        "what composes windows",
-        pace.measured_s * 1000.0, window.refresh_hz(), pace.period_s * 1000.0);
+        "the refresh test failed: frames come {:.2f} ms apart, {} are {:.2f} ms: let "
+        "swapping wait for the display (vblank_mode, the driver's settings), and turn off what "
+        "composes windows",
+        pace.measured_s * 1000.0,
+        window.refresh_hz() > 0.0 ? fmt::format("the monitor's {:.0f} Hz", window.refresh_hz())
+                                  : "60 Hz, since the monitor tells no rate,",
+        pace.period_s * 1000.0);
 }
 
 void unless_overridden(const std::string& reason, const std::function<void()>& check) {

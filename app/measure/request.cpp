@@ -97,8 +97,10 @@ void check_request(const MeasureRequest& request) {
     for (const std::string& name : request.techniques) {
         const renderer::Technique* technique = renderer::find_technique(name);
         if (technique == nullptr) {
-            throw base::bad_input("--technique: \"{}\" is unknown, allowed are {}", name,
-                                  names_of(renderer::techniques()));
+            renderer::Variant unknown;
+            unknown.technique = name;
+            throw base::bad_input("--technique: {}",
+                                  renderer::problems_of(unknown).front().message);
         }
         if (const std::string why = why_unmeasured(*technique); !why.empty()) {
             throw base::bad_input("--technique: {} {}", name, why);
@@ -106,7 +108,7 @@ void check_request(const MeasureRequest& request) {
     }
     for (const std::string& name : request.filters) {
         if (renderer::find_denoise(name) == nullptr) {
-            throw base::bad_input("--denoise: \"{}\" is unknown, allowed are {}", name,
+            throw base::bad_input("--denoise: \"{}\" is unknown; allowed are {}", name,
                                   names_of(renderer::denoise_filters()));
         }
     }

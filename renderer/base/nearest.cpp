@@ -47,4 +47,9 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
     return best;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
+    const std::optional<std::string> meant = nearest(word, names);
+    return meant ? "; did you mean " + *meant + "?" : "";
+}
+
 }  // namespace obscura::base

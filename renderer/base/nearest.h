@@ -14,4 +14,8 @@ namespace obscura::base {
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& names);
 
+/// `; did you mean NAME?`, the end of a message that refuses `word`; empty where none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word,
+                                       const std::vector<std::string>& names);
+
 }  // namespace obscura::base

@@ -156,11 +156,7 @@ void finish_import(ImportedScene& imported, const std::string& name, Notes& note
     }
     if (with_area == 0) throw base::bad_input("{}: no triangle in it has an area", name);
     finish_cameras(scene, name, notes);
-    if (scene.cameras.empty()) {
-        notes.add(
-            fmt::format("the file has no camera; one named {} frames everything", kOverviewCamera));
-        scene.cameras.push_back(overview_camera(scene));
-    }
+    if (scene.cameras.empty()) scene.cameras.push_back(overview_camera(scene));
     if (scene.materials.empty()) scene.materials.push_back({.name = "none"});
     note_invisible(scene, notes);
     imported.notes = notes.lines();

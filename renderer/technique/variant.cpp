@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "renderer/base/nearest.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/technique/progressive.h"
 #include "renderer/technique/technique.h"
@@ -296,8 +297,11 @@ int fetches_per_pixel(const Variant& variant) {
 std::vector<VariantProblem> problems_of(const Variant& variant) {
     const Technique* technique = find_technique(variant.technique);
     if (technique == nullptr) {
-        return {{"technique", fmt::format("\"{}\" is unknown; allowed are {}", variant.technique,
-                                          names_of(techniques()))}};
+        std::vector<std::string> names;
+        for (const Technique& one : techniques()) names.push_back(one.name);
+        return {{"technique", fmt::format("\"{}\" is unknown; allowed are {}{}", variant.technique,
+                                          names_of(techniques()),
+                                          base::did_you_mean(variant.technique, names))}};
     }
     Problems problems;
     check_samples(*technique, variant, problems);

@@ -205,8 +205,9 @@ std::string overview_of(const OpenedScene& scene) {
         scene.title, size.x, size.y, size.z, vector_text(bounds.low_m), vector_text(bounds.high_m));
     for (const renderer::Camera& camera : content.cameras) {
         const std::string line = fmt::format("camera = \"{}\"", camera.name);
-        text += fmt::format("  {:24} # at {} m, to {} m\n", line, vector_text(camera.position_m),
-                            vector_text(camera.target_m));
+        text += fmt::format("  {:24} # {}at {} m, to {} m\n", line,
+                            scene.has_own_camera() ? "" : "the file has none; frames everything, ",
+                            vector_text(camera.position_m), vector_text(camera.target_m));
     }
     text += fmt::format("levels: {}\ntriangles: {}\n", fmt::join(names_of_levels(scene), ", "),
                         content.triangle_count());

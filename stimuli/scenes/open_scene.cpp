@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
+#include "renderer/base/nearest.h"
 
 namespace obscura::stimuli {
 namespace {
@@ -110,6 +111,11 @@ void add_settings(OpenedScene& opened, const SceneSettings& settings, const fs::
 
 void allow_folders(std::vector<fs::path> folders) { allowed_folders() = std::move(folders); }
 
+bool OpenedScene::has_own_camera() const {
+    const std::vector<renderer::Camera>& all = scene->cameras;
+    return builtin || all.size() > 1 || all.front().name != renderer::kOverviewCamera;
+}
+
 const renderer::Camera& OpenedScene::camera(const std::string& name) const {
     if (name.empty() && !scene->cameras.empty()) return scene->cameras.front();
     if (const renderer::Camera* found = scene->find_camera(name)) return *found;
@@ -144,10 +150,14 @@ OpenedScene open_scene(const std::string& id_or_file, const SceneSettings& setti
                          [&](const BuiltinScene& scene) { return scene.id == id_or_file; });
         if (builtin == catalogue.end()) {
             std::string known;
-            for (const BuiltinScene& scene : catalogue) known += scene.id + ", ";
+            std::vector<std::string> ids;
+            for (const BuiltinScene& scene : catalogue) {
+                known += scene.id + ", ";
+                ids.push_back(scene.id);
+            }
             throw base::bad_input(
-                "there is no scene \"{}\"; there are {}and files that end in .gltf, .glb or .obj",
-                id_or_file, known);
+                "there is no scene \"{}\"; there are {}and files that end in .gltf, .glb or .obj{}",
+                id_or_file, known, base::did_you_mean(id_or_file, ids));
         }
         if (settings.scale != 1.0) {
             throw base::bad_input("scale: {} is built in and in metres, allowed is 1", id_or_file);

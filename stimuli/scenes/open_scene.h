@@ -29,6 +29,8 @@ struct OpenedScene {
 
     /// The camera of that name, the first one for "". Throws bad input naming those there are.
     [[nodiscard]] const renderer::Camera& camera(const std::string& name = {}) const;
+    /// False of a file without any camera, to which one that frames everything was given.
+    [[nodiscard]] bool has_own_camera() const;
     /// The level of that name, the first one for "". Throws bad input naming those there are.
     [[nodiscard]] Validity level(const std::string& name = {}) const;
 };

@@ -8,6 +8,7 @@
 
 #include "analysis/conclusions/analysis.h"
 #include "analysis/presentation/json_report.h"
+#include "analysis/presentation/summary.h"
 #include "analysis/presentation/text_report.h"
 #include "analysis/published_votes.h"
 #include "tests/analysis/records_for_test.h"
@@ -178,6 +179,8 @@ TEST(H3, WhereNothingHasAPartnerIsNotTestedAndSaysWhy) {
     EXPECT_EQ(other_scenes.verdicts.back().sentence,
               "H3: not tested. The study shows no two variants in the same scene at two levels of "
               "validity.");
+    EXPECT_THAT(summary_text(other_scenes),
+                HasSubstr("H3: not tested. The study shows no two variants in the same scene"));
     Study one_level = of_36();
     add_condition(one_level, "V", "atrium-high", "high", 6);
     EXPECT_EQ(one_level.analysed().verdicts.back().sentence,

@@ -151,7 +151,7 @@ TEST(Variant, OfACommandLineNamesTheOptionThatIsWrong) {
     EXPECT_THAT(refusal_of({"crytek", 24, {"depth_format=r8"}, "none"}),
                 HasSubstr("--set depth_format: \"r8\" is unknown; allowed are r32f, r16f, d24"));
     EXPECT_THAT(refusal_of({"crytek", 24, {"offset_scale=wide"}, "none"}),
-                HasSubstr("\"offset_scale=wide\" is not KEY=NUMBER"));
+                HasSubstr("\"offset_scale=wide\" is not KEY=VALUE"));
     EXPECT_THAT(refusal_of({"crytek", 24, {"depth_format=r16f", "depth_format=r32f"}, "none"}),
                 HasSubstr("\"depth_format\" is set twice"));
     EXPECT_THAT(refusal_of({"crytek", 7, {}, "box5"}),

@@ -283,6 +283,20 @@ TEST_F(SceneStudy, WhatOfAFileIsNotShownIsWarnedOfAndRecorded) {
     EXPECT_THAT(warnings_of(load_study("jakobsen2010")), testing::IsEmpty());
 }
 
+TEST(StudyWarnings, OfAFileAreSaidOnceHoweverManyScenesShowIt) {
+    Study study;
+    for (const auto& [id, file] :
+         {std::pair("dusk", "hall.glb"), {"day", "hall.glb"}, {"night", "other.glb"}}) {
+        StudyScene& scene = study.scenes.emplace_back();
+        scene.id = id;
+        scene.source = file;
+        scene.notes = {"no reflections"};
+    }
+    EXPECT_THAT(warnings_of(study),
+                testing::ElementsAre("scenes \"dusk\", \"day\": hall.glb: no reflections",
+                                     "scene \"night\": other.glb: no reflections"));
+}
+
 TEST_F(SceneStudy, WhatACameraSeesFromBehindIsWarnedOfForTheCameraInUse) {
     const auto warnings_from = [this](const char* position) {
         const StudyReading reading = read(fmt::format(

@@ -33,10 +33,10 @@ void each_option(const DescribedCommand& command, const std::string& path,
 
 TEST(Vocabulary, HasOneKindOfValueForOneOptionWhereverItIs) {
     const std::set<std::string> words{
-        "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",    "KEY=VALUE", "URL",
-        "X,Y,Z", "LEVEL", "SCENE",  "ID",     "K/N", "FILE|reference", "REASON", "[N]"};
-    // A file or a folder; a condition's own share; a question of analyze and a level of light.
-    const std::set<std::string> differ{"--out", "--scene", "--study", "--share", "--validity"};
+        "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",   "KEY=VALUE", "URL",
+        "X,Y,Z", "SCENE", "ID",     "K/N",    "[N]", "FROM:TO[:STEP]", "REASON"};
+    // A file or a folder; a condition's own share.
+    const std::set<std::string> differ{"--out", "--share"};
     std::map<std::string, std::string> kinds;
     each_option(made_program().described(), "obscura", [&](const auto& path, const auto& option) {
         EXPECT_FALSE(option.what.empty()) << path;
@@ -80,9 +80,32 @@ TEST(Vocabulary, NamesWhatWasMeantByAnOptionOrACommandThatIsNotThere) {
                       HasSubstr("See obscura ao --help.")));
     EXPECT_THAT(said("scene export atrium --outt x"), HasSubstr("did you mean --out?"));
     EXPECT_THAT(said("scene export atrium"), HasSubstr("--out is missing"));
-    EXPECT_THAT(said("chek"), HasSubstr("there is no command \"chek\"; did you mean check?"));
+    EXPECT_THAT(said("chek"),
+                AllOf(HasSubstr("there is no command \"chek\""), HasSubstr("did you mean check?")));
+    EXPECT_THAT(said("scene camera atrium"), AllOf(HasSubstr("scene has no command \"camera\""),
+                                                   HasSubstr("did you mean cameras?")));
+    EXPECT_THAT(said("scene inspect atriun"), HasSubstr("did you mean atrium?"));
+    EXPECT_THAT(said("scene inspect atrium --technique gtoa"), HasSubstr("did you mean gtao?"));
+    EXPECT_THAT(said("ao --scene relic --technique blizard --out x.exr"),
+                HasSubstr("did you mean blizzard?"));
+    EXPECT_THAT(said("measure --technique blizard"), HasSubstr("did you mean blizzard?"));
+    base::write_file_atomically(folder / "mine.toml", "");
+    EXPECT_THAT(said("check mine"), HasSubstr("did you mean mine.toml?"));
+    EXPECT_THAT(said("ao --radius 50cm"), HasSubstr("--radius: \"50cm\" is no number"));
+    EXPECT_THAT(said("new 'a b'"),
+                AllOf(HasSubstr("NAME: \"a b\" cannot be"), Not(HasSubstr(".toml:"))));
     EXPECT_THAT(said("check a b"), HasSubstr("\"b\" is one value too many"));
     EXPECT_THAT(said("plan --participants many"), HasSubstr("--participants"));
+}
+
+TEST(Vocabulary, EveryHelpNamesWhatAllCommandsTakeAndTheProgramsSaysHowToAskForOne) {
+    const tests::TemporaryFolder folder;
+    EXPECT_THAT(run_program(folder, "--help").out, HasSubstr("obscura help COMMAND"));
+    EXPECT_EQ(run_program(folder, "help help").out, run_program(folder, "--help").out);
+    for (const char* command : {"check", "scene preview", "ao"}) {
+        EXPECT_THAT(run_program(folder, std::string("help ") + command).out,
+                    HasSubstr("Every command also takes --data, --allow and --quiet"));
+    }
 }
 
 TEST(Vocabulary, NeverColoursWhatIsNoTerminal) {
@@ -113,7 +136,7 @@ TEST(Outputs, AreNeverPutAmongSomebodysOtherFiles) {
     base::write_file_atomically(folder / "votes.csv",
                                 "variant_a,variant_b,count_a,count_b\nnone,blizzard,14,22\n");
     for (const char* words : {"analyze --counts votes.csv --out mine", "render --out mine",
-                              "measure --quick --out mine"}) {
+                              "measure --quick --out mine", "demo --out mine"}) {
         const ProgramRun run = run_program(folder, words);
         EXPECT_EQ(run.exit_code, 2) << words;
         EXPECT_THAT(run.err, HasSubstr("mine holds other files (thesis.txt)")) << words;

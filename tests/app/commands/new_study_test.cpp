@@ -39,6 +39,31 @@ TEST(NewStudy, IsMadeOverAFileWithoutACameraAndFindsOne) {
     EXPECT_EQ(run_program(folder, "check steps.toml").exit_code, 0);
 }
 
+TEST(NewStudy, RehearsesAsItsFirstLinesSayAndLeadsFromThereToTheAnalysis) {
+    const tests::TemporaryFolder folder;
+    base::write_file_atomically(folder / "step.obj", kStep);
+    ASSERT_EQ(run_program(folder, "new mine --scene step.obj").exit_code, 0);
+    EXPECT_THAT(base::read_file(folder / "mine.toml"),
+                testing::AllOf(HasSubstr("#   obscura rehearse mine.toml "),
+                               HasSubstr("#   obscura analyze mine.toml ")));
+    const ProgramRun rehearsed = run_program(folder, "rehearse mine.toml --quiet");
+    ASSERT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
+    EXPECT_THAT(rehearsed.out, HasSubstr("36 observers"));
+    const ProgramRun nobody = run_program(folder, "analyze mine.toml");
+    EXPECT_EQ(nobody.exit_code, 2);
+    constexpr const char* kSimulated = "--db obscura-data/rehearsal/mine.sqlite --kind simulated";
+    EXPECT_THAT(nobody.err, testing::AllOf(HasSubstr("there are no answers yet"),
+                                           HasSubstr("obscura run"), HasSubstr(kSimulated)));
+    const std::string words = std::string("analyze mine.toml ") + kSimulated;
+    const ProgramRun analysed = run_program(folder, words);
+    EXPECT_EQ(analysed.exit_code, 0) << analysed.err;
+    EXPECT_EQ(analysed.err, "");
+    const std::string edited = base::read_file(folder / "mine.toml") + "# later\n";
+    base::write_file_atomically(folder / "mine.toml", edited);
+    EXPECT_THAT(run_program(folder, words).err,
+                HasSubstr("36 sessions of mine began with another version of its file"));
+}
+
 TEST(NewStudy, LeavesAFileThatIsThereAndRefusesWhatIsNoName) {
     const tests::TemporaryFolder folder;
     base::write_file_atomically(folder / "mine.toml", "mine\n");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -9,6 +10,11 @@
 #include "renderer/base/files.h"
 
 namespace obscura::app {
+
+/// Every page that tells people what to type.
+inline constexpr std::array kReadmes{"README.md",          "app/README.md",
+                                     "stimuli/README.md",  "analysis/README.md",
+                                     "renderer/README.md", "renderer/reference/README.md"};
 
 /// A line of a README that begins with ./obscura, without that and without its comment.
 struct ReadmeCommand {
@@ -43,6 +49,33 @@ inline std::vector<ReadmeCommand> readme_commands(const std::string& page,
         commands.push_back({line});
     }
     return commands;
+}
+
+/// What a page says in its running text, between `: `obscura ...` or `./obscura ...`, without the
+/// program's name.
+inline std::vector<ReadmeCommand> readme_mentions(const std::string& page) {
+    const std::string text = base::read_file(std::string(OBSCURA_SOURCE_DIR "/") + page);
+    std::string prose;
+    bool in_block = false;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("```"))
+            in_block = !in_block;
+        else if (!in_block)
+            prose += line + '\n';
+    }
+    std::vector<ReadmeCommand> mentions;
+    bool inside = false;
+    std::size_t begin = 0;
+    for (std::size_t at = prose.find('`'); at != std::string::npos; at = prose.find('`', at + 1)) {
+        const std::string code = prose.substr(begin, at - begin);
+        for (const std::string name : {"obscura ", "./obscura "}) {
+            if (inside && code.starts_with(name)) mentions.push_back({code.substr(name.size())});
+        }
+        inside = !inside;
+        begin = at + 1;
+    }
+    return mentions;
 }
 
 }  // namespace obscura::app

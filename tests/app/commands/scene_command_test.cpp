@@ -23,6 +23,8 @@ TEST(SceneCommand, InspectSaysWhatAFileHoldsNeedsAndLacks) {
           "level low", "level moderate", "level high", "320x200", "without light: "}) {
         EXPECT_THAT(run.out, HasSubstr(what));
     }
+    EXPECT_THAT(run_program(folder, "scene inspect triangle.obj").out,
+                HasSubstr("camera = \"overview\"      # the file has none; frames everything, at"));
 }
 
 TEST(SceneCommand, ExportWritesAFileThatInspectReads) {
