@@ -68,7 +68,16 @@ struct WordLanguage {
     return locale.data();
 }
 
-[[nodiscard]] std::string filled(std::string_view text, const WordValues& values) {
+/// Around each value: nothing, or what keeps a time or a file's name in its own order within a text
+/// from the right (UAX #9: first strong isolate, pop directional isolate).
+struct WordBounds {
+    std::string_view before;
+    std::string_view after;
+};
+constexpr WordBounds kIsolating{"\u2068", "\u2069"};
+
+[[nodiscard]] std::string filled(std::string_view text, const WordValues& values,
+                                 const WordBounds& bounds) {
     std::string result;
     while (!text.empty()) {
         const auto open = text.find('{');
@@ -80,7 +89,11 @@ struct WordLanguage {
                    text.substr(1 + pair.first.size()).starts_with('}');
         });
         const bool known = value != values.end();
-        result += known ? value->second : "{";
+        if (known) {
+            result.append(bounds.before).append(value->second).append(bounds.after);
+        } else {
+            result += '{';
+        }
         text.remove_prefix(known ? value->first.size() + 2 : 1);
     }
     return result;
@@ -102,7 +115,7 @@ const std::string& Words::operator()(std::string_view key) const {
 }
 
 std::string Words::operator()(std::string_view key, const WordValues& values) const {
-    return filled((*this)(key), values);
+    return filled((*this)(key), values, right_to_left_ ? kIsolating : WordBounds{});
 }
 
 const std::vector<std::string>& word_languages() {

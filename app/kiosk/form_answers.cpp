@@ -80,8 +80,8 @@ std::string form_json(const std::vector<FormField>& fields,
         if (!field.unit.empty()) row["unit"] = field.unit;
         if (!field.choices.empty()) row["choices"] = field.choices;
         if (field.labels.size() == 2) {
-            row["levels"] = {{fmt::format("{}", *field.min), field.labels[0]},
-                             {fmt::format("{}", *field.max), field.labels[1]}};
+            row["levels"][fmt::format("{}", *field.min)] = field.labels[0];
+            row["levels"][fmt::format("{}", *field.max)] = field.labels[1];
         }
         row["value"] = value_of(field, i < answers.size() ? answers[i] : FieldAnswer{});
         rows.push_back(std::move(row));

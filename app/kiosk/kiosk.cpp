@@ -251,13 +251,18 @@ class Kiosk {
         });
         if (!so_far) return End::kLeft;
         const auto& trials = so_far->trials;
-        CutOffSession shown{session.session_id, session.started_utc,
-                            static_cast<int>(trials.size()), session.condition_count, ""};
+        CutOffSession shown;
         SessionPlan plan;
         try {
             plan = plan_to_resume(study_, manifest_, session, trials, so_far->events);
+            plan.questions = options_.questions;
+            shown = cut_off_session(study_, plan, session, trials, so_far->events);
         } catch (const base::Error& error) {
-            shown.refusal = error.what();
+            const auto counted = std::count_if(trials.begin(), trials.end(), [](const auto& trial) {
+                return trial.kind != Kind::kPractice;
+            });
+            shown = {session.session_id, session.started_utc, static_cast<int>(counted),
+                     session.condition_count, error.what()};
             base::log::warn("session {} cannot be continued: {}", session.session_id, error.what());
         }
         const std::optional<CutOffChoice> choice = decide(shown);
@@ -272,7 +277,6 @@ class Kiosk {
                 return event.session_id == session.session_id &&
                        event.name == kInstructionsReadEvent;
             });
-        plan.questions = options_.questions;
         return resume(session, trials, so_far->events, instructions_read, std::move(plan));
     }
 

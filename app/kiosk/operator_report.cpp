@@ -50,4 +50,18 @@ OperatorReport operator_report(analysis::Store& store, const stimuli::Study& stu
     return report;
 }
 
+CutOffSession cut_off_session(const stimuli::Study& study, const SessionPlan& plan,
+                              const analysis::SessionRecord& session,
+                              const std::vector<TrialRecord>& trials,
+                              const std::vector<analysis::EventRecord>& events) {
+    Procedure rest(study, plan);
+    (void)rest.resume(trials, true, 0.0, {0.0, session.started_utc}, events);
+    const Progress at = rest.progress();
+    return {.session_id = session.session_id,
+            .started_utc = session.started_utc,
+            .answered = at.practice ? 0 : at.pair,
+            .count = session.condition_count,
+            .refusal = ""};
+}
+
 }  // namespace obscura::app::kiosk

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/store/store.h"
+#include "app/kiosk/screens.h"
 #include "stimuli/order/order.h"
 #include "stimuli/study.h"
 
@@ -27,5 +28,13 @@ struct OperatorReport {
 };
 
 [[nodiscard]] OperatorReport operator_report(analysis::Store& store, const stimuli::Study& study);
+
+/// What the operator is asked about a session that was cut off: of the pairs that count, practice
+/// left out, how many have all their answers. Throws as Procedure::resume() where it cannot go on
+/// by that plan.
+[[nodiscard]] CutOffSession cut_off_session(const stimuli::Study& study, const SessionPlan& plan,
+                                            const analysis::SessionRecord& session,
+                                            const std::vector<analysis::TrialRecord>& trials,
+                                            const std::vector<analysis::EventRecord>& events);
 
 }  // namespace obscura::app::kiosk

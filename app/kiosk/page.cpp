@@ -27,6 +27,9 @@ constexpr float kMargin_px = 24.0F;
 constexpr float kFootGap = 0.9F;
 constexpr float kScrollStep = 3.0F;
 constexpr float kKeptInView = 2.5F;
+/// What comes into view with a stop: its question above, what is said of it below.
+constexpr float kShownAround = 2.5F;
+constexpr float kBesideScrollBar = 0.6F;
 constexpr float kFarthest_px = 1e9F;
 constexpr float kBelowAnyBody_px = 1e6F;
 /// Frames after which the heights of the frame before are those of this one.
@@ -150,6 +153,10 @@ void draw_body(PageState& page, const std::function<void()>& body, float visible
     const ImGuiWindowFlags bar =
         overflows ? ImGuiWindowFlags_AlwaysVerticalScrollbar : ImGuiWindowFlags_NoScrollbar;
     page.in_body = true;
+    if (overflows) {
+        const float bar_px = ImGui::GetStyle().ScrollbarSize + times_text(kBesideScrollBar);
+        ImGui::SetNextWindowContentSize({ImGui::GetContentRegionAvail().x - bar_px, 0.0F});
+    }
     ImGui::BeginChild("##body", {0.0F, std::max(1.0F, visible_px)}, false,
                       bar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     if (page.frames < kSettling) {
@@ -261,12 +268,17 @@ bool end_stop(unsigned id, bool here) {
     PageState& page = page_state();
     if (ImGui::IsItemActivated() && page.keyboard == Keyboard::kMovesAndPresses) page.focus = id;
     if (!here) return false;
-    if (page.reveal && page.in_body) ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleEdgeY);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    if (page.reveal && page.in_body) {
+        const float around_px = times_text(kShownAround);
+        ImGui::ScrollToRect(ImGui::GetCurrentWindow(),
+                            {from.x, from.y - around_px, to.x, to.y + around_px},
+                            ImGuiScrollFlags_KeepVisibleEdgeY);
+    }
     const float text_px = ImGui::GetFontSize();
     const float off = std::round(0.15F * text_px);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 from = ImGui::GetItemRectMin();
-    const ImVec2 to = ImGui::GetItemRectMax();
     // The ring may reach a little out of the body's frame.
     list.PushClipRect({ImGui::GetWindowPos().x - 2.0F * off, ImGui::GetWindowPos().y - 2.0F * off},
                       {ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 2.0F * off,

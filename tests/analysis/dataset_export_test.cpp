@@ -216,6 +216,39 @@ TEST_F(DatasetExport, BidsParticipantsAreTheFoldersAndHideAgesFrom89) {
     EXPECT_EQ(sidecar["age"]["Units"], "years");
 }
 
+TEST_F(DatasetExport, EachFieldOfAStudysFormIsAColumnWithWhatWasAsked) {
+    auto asked = tests::a_participant(3);
+    asked.form = R"([{"field":"games","kind":"scale","label":"Plays",)"
+                 R"("levels":{"1":"never","7":"daily"},"value":3},)"
+                 R"({"field":"hand","kind":"choice","label":"Hand",)"
+                 R"("choices":["left","right"],"value":"left"},)"
+                 R"({"field":"wears","kind":"choices","label":"Wears",)"
+                 R"("choices":["lenses","glasses"],"value":["lenses","glasses"]}])";
+    add(asked, 3);
+    write(ExportFormat::kBids);
+    const json sidecar = read_json(out_ / "participants.json");
+    EXPECT_EQ(sidecar["form_games"]["Levels"], (json{{"1", "never"},
+                                                     {"2", "2"},
+                                                     {"3", "3"},
+                                                     {"4", "4"},
+                                                     {"5", "5"},
+                                                     {"6", "6"},
+                                                     {"7", "daily"}}))
+        << "a validator refuses a value that is no level";
+    EXPECT_THAT(sidecar["form_wears"]["Description"].get<std::string>(),
+                HasSubstr("any of: lenses; glasses"));
+    EXPECT_EQ(sidecar["form_hand"]["Levels"], (json{{"left", "left"}, {"right", "right"}}));
+    EXPECT_THAT(sidecar["form_games"]["Description"].get<std::string>(), HasSubstr("Plays"));
+    const auto rows = read_tsv(out_ / "participants.tsv");
+    const auto cell = [&](const std::vector<std::string>& row, const std::string& column) {
+        const auto at = std::find(rows[0].begin(), rows[0].end(), column) - rows[0].begin();
+        return row.at(static_cast<std::size_t>(at));
+    };
+    EXPECT_EQ(cell(rows.back(), "form_games"), "3");
+    EXPECT_EQ(cell(rows.back(), "form_wears"), "lenses; glasses");
+    EXPECT_EQ(cell(rows[1], "form_games"), "n/a") << "was not asked";
+}
+
 TEST_F(DatasetExport, BidsAnswersNameTheirColumnsAsTheStandardDoesAndDescribeThemAll) {
     write(ExportFormat::kBids);
     const DatasetRows rows = read_tsv(out_ / "sub-p0/beh/sub-p0_task-jakobsen2010_beh.tsv");

@@ -22,6 +22,16 @@ std::vector<PoEntry> entries_of(const std::string& language) {
     return parse_po(embedded("words/" + language + ".po"), language);
 }
 
+TEST(KioskWords, ATimeInATextFromTheRightKeepsItsOwnOrder) {
+    const std::string time = "2026-11-27T09:01:59.189Z";
+    const auto told = [&](const char* language) {
+        return Words(language)("cut_off_text", {{"session", "s-1"}, {"time", time}});
+    };
+    EXPECT_THAT(told("ar"), testing::HasSubstr("\u2068" + time + "\u2069"));
+    EXPECT_THAT(told("ja"), testing::HasSubstr(time));
+    EXPECT_THAT(told("ja"), testing::Not(testing::HasSubstr("\u2068")));
+}
+
 TEST(KioskWords, EveryLanguageHasEveryWordOfTheEnglishAsItStandsThere) {
     ASSERT_THAT(word_languages(),
                 testing::UnorderedElementsAre("en", "de", "fr", "es", "da", "ja", "ar"));

@@ -77,8 +77,10 @@ void entry_field(const Fonts& fonts, const FormField& field, FieldDraft& draft) 
 void digits_for(const FormField& field, FieldDraft& draft) {
     const float side = times_text(1.75F);
     const float apart = times_text(0.2F);
+    const bool negative = !field.min || *field.min < 0.0;
+    const float keys = negative ? 13.0F : 12.0F;
     SideBySide row(0.0F);
-    row.next(13.0F * side + 12.0F * apart);
+    row.next(keys * side + (keys - 1.0F) * apart);
     const auto key = [&](const std::string& label, char32_t character) {
         if (pad_button(label, side)) {
             draft.entry.type(character);
@@ -88,7 +90,7 @@ void digits_for(const FormField& field, FieldDraft& draft) {
     };
     for (char32_t digit = U'0'; digit <= U'9'; ++digit) key(utf8_of(digit), digit);
     key(".", U'.');
-    if (!field.min || *field.min < 0.0) key("-", U'-');
+    if (negative) key("-", U'-');
     if (pad_button("\u2190", side)) draft.entry.erase_before();
 }
 

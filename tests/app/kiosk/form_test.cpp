@@ -132,6 +132,22 @@ TEST(StudyForm, NumbersAreTakenWithPointOrCommaAndNothingElse) {
     EXPECT_EQ(problem_of(scale, {" ", {}}), FieldProblem::kMissing);
 }
 
+TEST(StudyForm, WhatWasAskedIsStoredBesideTheAnswer) {
+    const std::vector<FormField> fields{
+        {.id = "games",
+         .kind = FieldKind::kScale,
+         .label = "Plays",
+         .min = 1,
+         .max = 7,
+         .labels = {"never", "daily"}},
+        {.id = "hand", .kind = FieldKind::kChoice, .label = "Hand", .choices = {"left", "right"}}};
+    EXPECT_EQ(form_json(fields, {{"3", {}}, {"left", {}}}),
+              R"([{"field":"games","kind":"scale","label":"Plays",)"
+              R"("levels":{"1":"never","7":"daily"},"value":3},)"
+              R"({"field":"hand","kind":"choice","label":"Hand",)"
+              R"("choices":["left","right"],"value":"left"}])");
+}
+
 TEST(StudyForm, AMadeCodeIsOfSixSignsThatAreNotMistakenAndIsNoneThatIsKnown) {
     std::vector<std::string> known;
     for (int i = 0; i < 200; ++i) {

@@ -15,6 +15,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "stimuli/study_reader.h"
+#include "tests/app/kiosk/asking_study.h"
+#include "tests/app/kiosk/script.h"
 #include "tests/app/kiosk/small_study.h"
 #include "tests/stimuli/attentive_study.h"
 #include "tests/support/postgres.h"
@@ -63,6 +65,39 @@ TEST_F(OperatorTest, TheReportCountsTheSessionsAndWhoComesNext) {
     EXPECT_EQ(report.sessions[0].session_id, "s-2") << "latest first";
     study_.name = "another";
     EXPECT_EQ(operator_report(store, study_).completed, 0);
+}
+
+/// Two pairs that count and one of practice.
+stimuli::Study study_with_practice() {
+    stimuli::Study study = small_study(3);
+    study.conditions[2].practice = true;
+    study.conditions[2].hypothesis = "";
+    return study;
+}
+
+TEST(CutOffPage, CountsPairsThatCountAndNoneWhoseQuestionsAreNotAllAnswered) {
+    const stimuli::Study study = study_with_practice();
+    Script before(study);
+    before.reach_pairs();
+    const auto session = before.rows_of<BeginSession>().at(0).session;
+    const auto answered_of = [&](SessionPlan plan) {
+        const CutOffSession shown =
+            cut_off_session(study, plan, session, before.rows_of<analysis::TrialRecord>(), {});
+        EXPECT_EQ(shown.count, 2);
+        return shown.answered;
+    };
+    EXPECT_EQ(answered_of(small_plan(study)), 0);
+    before.answer_pair(20, 0, true);
+    EXPECT_EQ(answered_of(small_plan(study)), 0) << "practice does not count";
+    before.at(34, WentOn{});
+    before.shown_at(35);
+    before.answer_pair(40, 0, true);
+    EXPECT_EQ(answered_of(small_plan(study)), 1);
+    before.answer_pair(60, 1, true);
+    EXPECT_EQ(answered_of(small_plan(study)), 2);
+    SessionPlan asking = small_plan(study);
+    asking.questions = asking_questions();
+    EXPECT_EQ(answered_of(asking), 1) << "further questions of the last pair are open";
 }
 
 TEST_F(OperatorTest, WhoeverIsWithdrawnIsErasedTheFactIsKeptAndThePlaceIsFree) {

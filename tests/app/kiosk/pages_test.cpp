@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <utility>
@@ -390,6 +391,44 @@ TEST_F(Pages, AFormThatLacksSomethingPutsTheKeyboardThere) {
     const std::optional<Event> event = page.event();
     ASSERT_TRUE(event.has_value());
     EXPECT_EQ(std::get<FormSubmitted>(*event).form.age_years, 25);
+}
+
+/// Of the page's body, in pixels.
+float visible_body_px() {
+    for (const ImGuiWindow* window : GImGui->Windows) {
+        if (std::string_view(window->Name).find("##body") != std::string_view::npos) {
+            return window->Size.y;
+        }
+    }
+    return 0.0F;
+}
+
+TEST_F(Pages, WhatTheKeyboardGoesToIsSeenWithItsQuestionAboveAndWhatIsSaidBelowIt) {
+    constexpr int kFields = 12;
+    for (int i = 0; i < kFields; ++i) {
+        stimuli::FormField field;
+        field.id = fmt::format("f{}", i);
+        field.kind = stimuli::FieldKind::kText;
+        field.label = "A question";
+        study_.form.push_back(field);
+    }
+    ShownPage page = show_form();
+    const float text_px = ImGui::GetFontSize();
+    const auto expect_in_view = [&] {
+        for (const FocusStop& stop : page_state().stops) {
+            if (stop.id != page_state().focus || !stop.in_body) continue;
+            EXPECT_GE(stop.top_px - text_px, ShownPage::scrolled());
+            EXPECT_LE(
+                std::min(stop.top_px + stop.height_px + text_px, std::floor(page_state().body_px)),
+                ShownPage::scrolled() + visible_body_px());
+        }
+    };
+    for (const int modifiers : {0, GLFW_MOD_SHIFT}) {
+        for (int i = 0; i < kFields; ++i) {
+            page.press(GLFW_KEY_TAB, modifiers);
+            expect_in_view();
+        }
+    }
 }
 
 TEST_F(Pages, ThanksAreLeftByNoKeyOrClickOfAParticipant) {
