@@ -40,7 +40,6 @@ class ProbeRays {
     [[nodiscard]] bool sees(const glm::vec3& from_m, const glm::vec3& direction, float far_m) const;
 
   private:
-
     struct Surface {
         glm::vec3 albedo;
         glm::vec3 emitted;
