@@ -13,17 +13,18 @@
 #include "renderer/reference/probe_rays.h"
 
 namespace obscura::renderer {
+
+/// A probe that takes its neighbours' mean, in the order in which that is possible.
+struct FilledProbe {
+    std::size_t probe;
+    std::vector<std::size_t> neighbours;
+};
+
 namespace {
 
 /// Above it, of all the directions of a probe, those that meet backs: it stands inside of
 /// something.
 constexpr double kMostBacks = 0.25;
-
-/// A probe that takes its neighbours' mean, in the order in which that is possible.
-struct Filled {
-    std::size_t probe;
-    std::vector<std::size_t> neighbours;
-};
 
 std::vector<std::size_t> neighbours_of(const ProbeLattice& lattice, const glm::ivec3& probe) {
     std::vector<std::size_t> list;
@@ -48,8 +49,8 @@ void for_each_probe(const ProbeLattice& lattice, const Act& act) {
 }
 
 /// From those that see into the open inwards, one layer after the other.
-std::vector<Filled> filling_of(const ProbeLattice& lattice, std::vector<bool> known) {
-    std::vector<Filled> order;
+std::vector<FilledProbe> filling_of(const ProbeLattice& lattice, std::vector<bool> known) {
+    std::vector<FilledProbe> order;
     for (bool more = true; more;) {
         std::vector<bool> next = known;
         for_each_probe(lattice, [&](const glm::ivec3& at) {
@@ -67,8 +68,8 @@ std::vector<Filled> filling_of(const ProbeLattice& lattice, std::vector<bool> kn
     return order;
 }
 
-void fill(const std::vector<Filled>& order, std::vector<IrradianceSh>& probes) {
-    for (const Filled& one : order) {
+void fill(const std::vector<FilledProbe>& order, std::vector<IrradianceSh>& probes) {
+    for (const FilledProbe& one : order) {
         IrradianceSh mean{};
         for (const std::size_t other : one.neighbours) {
             for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += probes[other][i];
@@ -130,7 +131,7 @@ struct IrradianceBaker::Traced {
     DirectionCells cells;
     std::vector<ProbeHit> hits;  ///< of each probe's cells in turn
     std::vector<SeesNext> sees_next;
-    std::vector<Filled> filling;
+    std::vector<FilledProbe> filling;
 
     /// Of what each probe has for itself.
     [[nodiscard]] std::vector<Probe> settled(std::vector<IrradianceSh> irradiance) const;
@@ -180,7 +181,7 @@ std::vector<Probe> IrradianceBaker::Traced::settled(std::vector<IrradianceSh> ir
     smooth(lattice, sees_next, irradiance);
     fill(filling, irradiance);
     std::vector<Probe> probes(irradiance.size());
-    for (const Filled& one : filling) probes[one.probe].weight = kWeightWithin;
+    for (const FilledProbe& one : filling) probes[one.probe].weight = kWeightWithin;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         add(probes[i].weighted, irradiance[i], probes[i].weight);
     }
