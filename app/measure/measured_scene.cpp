@@ -14,6 +14,7 @@ void MeasuredScene::load(const MeasuredView& view) {
     loaded_ = nullptr;
     lightings_.clear();
     truths_.clear();
+    baker_.reset();
     rays_.reset();
     gpu_.reset();
     scene_ = view.scene->build();
@@ -36,7 +37,15 @@ const renderer::Camera& MeasuredScene::camera_of(const MeasuredView& view) const
 
 const renderer::Lighting& MeasuredScene::lighting_of(const MeasuredView& view) {
     if (!lightings_.contains(view.validity)) {
-        lightings_.emplace(view.validity, view.scene->lighting(view.validity));
+        renderer::Lighting light = view.scene->lighting(view.validity);
+        if (light.wants_probes() && !light.irradiance_grid) {
+            if (!baker_) {
+                baker_ = std::make_unique<renderer::IrradianceBaker>(
+                    std::shared_ptr<const renderer::Scene>(std::shared_ptr<void>(), &scene_));
+            }
+            light.irradiance_grid = baker_->bake(light);
+        }
+        lightings_.emplace(view.validity, std::move(light));
     }
     return lightings_.at(view.validity);
 }

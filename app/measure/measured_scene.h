@@ -10,6 +10,7 @@
 
 #include "app/measure/measured_settings.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/reference/irradiance_baker.h"
 #include "renderer/reference/reference.h"
 
 namespace obscura::app {
@@ -60,6 +61,7 @@ class MeasuredScene {
     renderer::Scene scene_;
     std::unique_ptr<renderer::GpuScene> gpu_;
     std::unique_ptr<renderer::ReferenceScene> rays_;
+    std::unique_ptr<renderer::IrradianceBaker> baker_;  ///< where a built-in scene's light asks
     std::map<stimuli::Validity, renderer::Lighting> lightings_;  ///< of the loaded scene
     std::map<std::string, renderer::ReferenceImage> truths_;     ///< of the loaded scene
     renderer::Renderer renderer_;

@@ -20,7 +20,8 @@ struct SceneSource {
     std::vector<std::string> cameras;  ///< at least one, as build() names them
     std::vector<Validity> levels;      ///< at least one
     std::function<renderer::Scene()> build;
-    std::function<renderer::Lighting(Validity)> lighting;  ///< for one of `levels`, with probes
+    /// For one of `levels`, with probes; those of a scene that is not opened yet are to be baked.
+    std::function<renderer::Lighting(Validity)> lighting;
     std::vector<std::string> notes = {};  ///< what of its file is not shown, or otherwise
 
     /// The name itself, the first camera's for "". Throws bad input naming those there are.

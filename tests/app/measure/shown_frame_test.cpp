@@ -31,6 +31,7 @@ stimuli::BuiltinScene scene_with_pane() {
                     renderer::Lighting lighting;
                     lighting.environment =
                         std::make_shared<renderer::Environment>(renderer::make_sky({}, 32));
+                    lighting.irradiance_probes = true;
                     return lighting;
                 }};
 }
