@@ -95,12 +95,37 @@ Names names_of(const std::vector<OverviewRow>& rows, const Axes& axes) {
     return names;
 }
 
+/// The rows of the front, the cheapest first.
+std::vector<CostAndError> front_of(const std::vector<OverviewRow>& rows) {
+    std::vector<CostAndError> front;
+    for (const OverviewRow& row : rows) {
+        if (is_drawn(row) && row.on_front) front.push_back({row.ratio, row.rmse});
+    }
+    return pareto_front(front);
+}
+
+/// What the line of the front covers: to the right, then down.
+std::vector<Box> line_of(const std::vector<CostAndError>& front, const Axes& axes) {
+    constexpr double kWide_px = 6.0;
+    std::vector<Box> line;
+    for (std::size_t i = 1; i < front.size(); ++i) {
+        const double left = axes.x_px(front[i - 1].cost);
+        const double right = axes.x_px(front[i].cost);
+        const double high = axes.y_px(front[i - 1].error);
+        const double low = axes.y_px(front[i].error);
+        line.push_back({left, high - 0.5 * kWide_px, right - left, kWide_px});
+        line.push_back({right - 0.5 * kWide_px, low, kWide_px, high - low});
+    }
+    return line;
+}
+
 /// A place of the picture as gnuplot takes it.
 std::string screen(double x_px, double y_px) {
     return fmt::format("screen {:.4f},{:.4f}", x_px / kWidth_px, y_px / kHeight_px);
 }
 
-/// The names where no two touch, with a line to the point where that is not close by.
+/// The names where none touches another or the line, with a line to the point where that is not
+/// close by.
 std::string labels_of(const std::vector<OverviewRow>& rows, const Axes& axes) {
     constexpr double kClose_px = 12.0;
     std::vector<Box> kept_free{kKey, {95.0, 80.0, 70.0, 30.0}};  // the other: "better"
@@ -109,6 +134,8 @@ std::string labels_of(const std::vector<OverviewRow>& rows, const Axes& axes) {
         kept_free.push_back({axes.x_px(row.ratio) - 0.5 * kMark_px,
                              axes.y_px(row.rmse) - 0.5 * kMark_px, kMark_px, kMark_px});
     }
+    const std::vector<Box> line = line_of(front_of(rows), axes);
+    kept_free.insert(kept_free.end(), line.begin(), line.end());
     const Box area{kWidth_px * kGraph.left, kHeight_px * kGraph.bottom, kWidth_px * kGraph.width,
                    kHeight_px * kGraph.height};
     const Names names = names_of(rows, axes);
@@ -146,14 +173,12 @@ std::string point(double time, double error) {
 Plot overview_chart(const std::vector<OverviewRow>& rows) {
     std::vector<std::string> published;
     std::vector<std::string> fitted;
-    std::vector<CostAndError> front;
     for (const OverviewRow& row : rows) {
         if (!is_drawn(row)) continue;
         (row.values == kFittedValues ? fitted : published).push_back(point(row.ratio, row.rmse));
-        if (row.on_front) front.push_back({row.ratio, row.rmse});
     }
     std::vector<std::string> steps;
-    for (const CostAndError& price : pareto_front(front)) {
+    for (const CostAndError& price : front_of(rows)) {
         steps.push_back(point(price.cost, price.error));
     }
     Plot plot;
