@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <regex>
+#include <string>
+#include <vector>
 
 namespace obscura::analysis {
 namespace {
@@ -88,6 +91,25 @@ TEST(Overview, TheChartDrawsEveryRowThatHasAPlaceOnceAndSpansThem) {
     // From 0.5 to 1.25 of the yardstick, and from 0.09 to 0.25.
     EXPECT_THAT(chart.script, HasSubstr("set xrange [0.41666"));
     EXPECT_THAT(chart.script, HasSubstr("set yrange [0.074"));
+}
+
+TEST(Overview, NoNameOfTheChartLiesOnTheLineOfTheFront) {
+    std::vector<OverviewRow> rows(2);
+    rows[0].variant = rows[0].technique = "cheap";
+    rows[1].variant = rows[1].technique = "dear";
+    rows[0].ratio = 1.0;
+    rows[0].rmse = 0.2;
+    rows[1].ratio = 4.0;
+    rows[1].rmse = 0.1;
+    for (OverviewRow& row : rows) row.on_front = true;
+    const std::string script = overview_chart(rows).script;
+    std::smatch place;
+    ASSERT_TRUE(std::regex_search(script, place,
+                                  std::regex("set label 'cheap' at screen [0-9.]+,([0-9.]+)")));
+    // Of the axis that spans .09 to .208; a name in 11 points is 18 of the picture's 600 pixels
+    // high.
+    const double line = 0.12 + 0.78 * (0.2 - 0.09) / (0.208 - 0.09);
+    EXPECT_GT(std::abs(std::stod(place[1].str()) - line), 9.0 / 600.0);
 }
 
 }  // namespace
