@@ -139,7 +139,7 @@ Hypothesis read_hypothesis(TableReader& reader, const std::string& id, const Stu
                             .value_or(hypothesis.margin);
     const auto role = reader.choice("role", Need::kOptional, names_of(kHypothesisRoles));
     if (role == to_string(HypothesisRole::kSecondary)) hypothesis.role = HypothesisRole::kSecondary;
-    hypothesis.accuracy = reader.flag("accuracy", Need::kOptional).value_or(false);
+    hypothesis.accuracy = reader.boolean("accuracy", Need::kOptional).value_or(false);
     if (hypothesis.accuracy && is_interaction) {
         reader.add("accuracy", "is not allowed for kind interaction, which orders no images");
     }

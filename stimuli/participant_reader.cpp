@@ -19,7 +19,6 @@ constexpr double kFarthest = 1e15;  // doubles are whole numbers up to there
 constexpr std::size_t kMostChoices = 30;
 constexpr std::size_t kMostFields = 40;
 constexpr std::size_t kMostItems = 20;
-constexpr std::size_t kLongestFieldId = 40;
 
 bool is_blank(std::string_view text) {
     return text.find_first_not_of(kBlank) == std::string_view::npos;
@@ -55,19 +54,6 @@ std::vector<std::string> read_texts(TableReader& reader, const std::string& wher
         return {};
     }
     return texts;
-}
-
-std::string read_field_id(TableReader& reader) {
-    const std::string id = reader.text("id", Need::kRequired).value_or("");
-    const bool safe = !id.empty() && id.size() <= kLongestFieldId &&
-                      std::all_of(id.begin(), id.end(), [](char c) {
-                          return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-                      });
-    if (!safe && reader.has("id")) {
-        reader.add("id", fmt::format("{} is no name of a column, allowed are 1 to {} of a-z 0-9 _",
-                                     in_quotes(id), kLongestFieldId));
-    }
-    return id;
 }
 
 void read_range(TableReader& reader, FormField& field) {
@@ -114,7 +100,7 @@ void read_kind_of_field(TableReader& reader, const std::string& where, FormField
             break;
         }
         case FieldKind::kCode:
-            field.generate = reader.flag("generate", Need::kOptional).value_or(false);
+            field.generate = reader.boolean("generate", Need::kOptional).value_or(false);
             break;
         case FieldKind::kText:
             break;
@@ -123,13 +109,13 @@ void read_kind_of_field(TableReader& reader, const std::string& where, FormField
 
 FormField read_field(TableReader& reader, const std::string& where, Study& study) {
     FormField field;
-    field.id = read_field_id(reader);
+    field.id = reader.safe_id("column");
     const auto kind = reader.choice("kind", Need::kRequired, names_of(kFieldKinds));
     for (const FieldKind known : kFieldKinds) {
         if (kind && to_string(known) == *kind) field.kind = known;
     }
     field.label = read_shown_text(reader, where, "label", Need::kRequired, study);
-    field.required = reader.flag("required", Need::kOptional).value_or(false);
+    field.required = reader.boolean("required", Need::kOptional).value_or(false);
     for (const char* key : {"min", "max"}) reader.known_elsewhere(key, "number and scale");
     reader.known_elsewhere("unit", "number");
     reader.known_elsewhere("choices", "choice and choices");

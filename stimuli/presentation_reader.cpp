@@ -131,7 +131,8 @@ void read_presentation(TableReader& reader, Presentation& presentation) {
     read_int(reader, "break_after", 0, kMostConditions, presentation.break_after);
     read_int(reader, "break_min_s", 0, kMostBreakS, presentation.break_min_s);
     read_name(reader, "pairs_page", kPairsPages, presentation.pairs_page);
-    presentation.pointer = reader.flag("pointer", Need::kOptional).value_or(presentation.pointer);
+    presentation.pointer =
+        reader.boolean("pointer", Need::kOptional).value_or(presentation.pointer);
     read_advance(reader, presentation);
     refuse_idle_keys(reader, presentation);
 }

@@ -50,22 +50,7 @@ using Need = TableReader::Need;
 using Problems = std::vector<StudyProblem>;
 
 constexpr std::size_t kMostQuestions = 20;
-constexpr std::size_t kLongestQuestionId = 40;
 constexpr std::int64_t kFarthestStep = 100;
-
-std::string read_question_id(TableReader& reader) {
-    const std::string id = reader.text("id", Need::kRequired).value_or("");
-    const bool safe = !id.empty() && id.size() <= kLongestQuestionId &&
-                      std::all_of(id.begin(), id.end(), [](char c) {
-                          return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-                      });
-    if (!safe && reader.has("id")) {
-        reader.add("id",
-                   fmt::format("{} is no name of a question, allowed are 1 to {} of a-z 0-9 _",
-                               in_quotes(id), kLongestQuestionId));
-    }
-    return id;
-}
 
 /// Different texts of an array; none where it is missing or wrong.
 std::vector<std::string> read_labels(TableReader& reader, const std::string& where, Need need,
@@ -191,7 +176,7 @@ void read_keys(TableReader& reader, Question& question) {
 
 Question read_question(TableReader& reader, const std::string& where, bool first, Study& study) {
     Question question;
-    question.id = read_question_id(reader);
+    question.id = reader.safe_id("question");
     const auto kind = reader.choice("kind", Need::kRequired, names_of(kQuestionKinds));
     for (const QuestionKind known : kQuestionKinds) {
         if (kind && to_string(known) == *kind) question.kind = known;

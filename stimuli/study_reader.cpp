@@ -92,7 +92,7 @@ void read_study_table(const toml::table& table, const toml::table* texts, bool h
         study.occluding_opacity = static_cast<float>(*opacity);
     }
     study.match_luminance =
-        reader.flag("match_luminance", Need::kOptional).value_or(study.match_luminance);
+        reader.boolean("match_luminance", Need::kOptional).value_or(study.match_luminance);
     read_presentation(reader, study.presentation);
     const auto order = reader.choice("order", Need::kOptional, names_of(kOrderKinds));
     if (order) study.order = *order_kind_from(*order);

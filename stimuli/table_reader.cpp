@@ -176,6 +176,20 @@ std::optional<bool> TableReader::boolean(const std::string& key, Need need) {
     return **value->as_boolean();
 }
 
+std::string TableReader::safe_id(const std::string& of_what) {
+    constexpr std::size_t kLongest = 40;
+    const std::string id = text("id", Need::kRequired).value_or("");
+    const bool safe =
+        !id.empty() && id.size() <= kLongest && std::all_of(id.begin(), id.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+        });
+    if (!safe && has("id")) {
+        add("id", fmt::format("{} is no name of a {}, allowed are 1 to {} of a-z 0-9 _",
+                              in_quotes(id), of_what, kLongest));
+    }
+    return id;
+}
+
 std::optional<std::string> TableReader::text(const std::string& key, Need need) {
     const toml::node* value = find(key, need);
     if (value == nullptr) return std::nullopt;
@@ -263,16 +277,6 @@ std::optional<std::string> TableReader::choice(const std::string& key, Need need
         return std::nullopt;
     }
     return chosen;
-}
-
-std::optional<bool> TableReader::flag(const std::string& key, Need need) {
-    const toml::node* value = find(key, need);
-    if (value == nullptr) return std::nullopt;
-    if (!value->is_boolean()) {
-        wrong_type(key, *value, "true or false");
-        return std::nullopt;
-    }
-    return **value->as_boolean();
 }
 
 const toml::array* TableReader::array(const std::string& key, Need need, std::string_view wanted) {

@@ -40,6 +40,9 @@ class TableReader {
     TableReader(const toml::table& table, std::string where, std::vector<StudyProblem>& problems);
 
     std::optional<std::string> text(const std::string& key, Need need);
+    /// The text of `id`, which tables of answers take as a name: 1 to 40 of a-z 0-9 _. What it
+    /// names is said where it is another.
+    std::string safe_id(const std::string& of_what);
     std::optional<bool> boolean(const std::string& key, Need need);
     std::optional<std::int64_t> integer(const std::string& key, Need need, std::int64_t low,
                                         std::int64_t high);
@@ -49,7 +52,6 @@ class TableReader {
     /// An array of `count` numbers within [low, high]; empty where it is missing or wrong.
     std::vector<double> numbers(const std::string& key, Need need, std::size_t count, double low,
                                 double high);
-    std::optional<bool> flag(const std::string& key, Need need);
     /// A text out of a list of names.
     std::optional<std::string> choice(const std::string& key, Need need,
                                       const std::vector<std::string>& names);

@@ -98,13 +98,7 @@ void Renderer::run_occluders(Job& job) {
 void Renderer::run_blend(Job& job) {
     const SceneNeeds& needs = job.plan.needs;
     const bool occluded = job.plan.blended_occlude();
-    Defines defines = surface_defines(needs, true);
-    const Defines light = lighting_defines(needs);
-    defines.insert(defines.end(), light.begin(), light.end());
-    if (occluded) {
-        defines.emplace_back("ACCESSIBILITY");
-        defines.push_back(job.samples_define());
-    }
+    const Defines defines = lit_surface_defines(job, occluded);
     gl::Program& shader = program("passes/geometry.vert.glsl", "passes/blend.frag.glsl", defines);
     const std::string image = job.plan.linear_image();
     attach(job, {image});

@@ -4,16 +4,21 @@
 
 namespace obscura::renderer {
 
-void Renderer::run_forward(Job& job) {
-    const SceneNeeds& needs = job.plan.needs;
-    const bool occluded = job.plan.makes_accessibility();
-    Defines defines = surface_defines(needs, true);
-    const Defines light = lighting_defines(needs);
+Renderer::Defines Renderer::lit_surface_defines(const Job& job, bool occluded) {
+    Defines defines = surface_defines(job.plan.needs, true);
+    const Defines light = lighting_defines(job.plan.needs);
     defines.insert(defines.end(), light.begin(), light.end());
     if (occluded) {
         defines.emplace_back("ACCESSIBILITY");
         defines.push_back(job.samples_define());
     }
+    return defines;
+}
+
+void Renderer::run_forward(Job& job) {
+    const SceneNeeds& needs = job.plan.needs;
+    const bool occluded = job.plan.makes_accessibility();
+    Defines defines = lit_surface_defines(job, occluded);
     if (job.plan.hdr()) defines.emplace_back("HDR");
     attach(job, {job.plan.hdr() ? Target::kHdr : Target::kDisplay});
     clear_to_background(job);

@@ -95,6 +95,8 @@ class Renderer {
     static Defines surface_defines(const SceneNeeds& needs, bool normal);
     /// What passes/lighting.glsl reads.
     static Defines lighting_defines(const SceneNeeds& needs);
+    /// What passes/lit_surface.glsl reads, with accessibility or without.
+    static Defines lit_surface_defines(const Job& job, bool occluded);
     /// The uniforms of passes/surface.glsl and the side that is drawn.
     void set_surface(Job& job, gl::Program& program, const Material& material);
     /// The uniforms of passes/lighting.glsl; shadow maps and probes are bound to units

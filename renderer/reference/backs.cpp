@@ -21,16 +21,9 @@ double share_of_backs(const RayScene& scene, const Camera& camera, Backs backs) 
     for (int i = 0; i < kWidth_px * kHeight_px; ++i) {
         const glm::vec3 start(pixels.position_m());
         const glm::vec3 towards(pixels.direction(i % kWidth_px, i / kWidth_px));
-        RTCRayHit ray{};
-        ray.ray.org_x = start.x;
-        ray.ray.org_y = start.y;
-        ray.ray.org_z = start.z;
-        ray.ray.dir_x = towards.x;
-        ray.ray.dir_y = towards.y;
-        ray.ray.dir_z = towards.z;
-        ray.ray.tnear = static_cast<float>(pixels.near_m());
-        ray.ray.tfar = static_cast<float>(pixels.far_m());
-        ray.ray.mask = ~0U;
+        RTCRayHit ray{ray_from(start, towards, static_cast<float>(pixels.near_m()),
+                               static_cast<float>(pixels.far_m())),
+                      {}};
         ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene.embree(), &context, &ray);
         if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;

@@ -29,18 +29,9 @@ glm::mat3 frame_about(const glm::dvec3& n) {
 
 /// The first thing a ray meets.
 RTCRayHit first_hit(const RayScene& scene, const PixelRays& pixels, const glm::dvec3& direction) {
-    RTCRayHit hit{};
-    const glm::vec3 start(pixels.position_m());
-    const glm::vec3 towards(direction);
-    hit.ray.org_x = start.x;
-    hit.ray.org_y = start.y;
-    hit.ray.org_z = start.z;
-    hit.ray.dir_x = towards.x;
-    hit.ray.dir_y = towards.y;
-    hit.ray.dir_z = towards.z;
-    hit.ray.tnear = static_cast<float>(pixels.near_m());
-    hit.ray.tfar = static_cast<float>(pixels.far_m());
-    hit.ray.mask = ~0U;
+    RTCRayHit hit{ray_from(glm::vec3(pixels.position_m()), glm::vec3(direction),
+                           static_cast<float>(pixels.near_m()), static_cast<float>(pixels.far_m())),
+                  {}};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RayScene::Context context(true);
     rtcIntersect1(scene.embree(), &context, &hit);
@@ -166,15 +157,7 @@ void PixelTracer::cast_falloff(const Surface& surface) {
     RayScene::Context context(false);
     const auto far = static_cast<float>(options_.radius_m);
     for (std::size_t k = 0; k < static_cast<std::size_t>(sampler_.rays()); ++k) {
-        RTCRayHit ray{};
-        ray.ray.org_x = surface.start_m.x;
-        ray.ray.org_y = surface.start_m.y;
-        ray.ray.org_z = surface.start_m.z;
-        ray.ray.dir_x = x_[k];
-        ray.ray.dir_y = y_[k];
-        ray.ray.dir_z = z_[k];
-        ray.ray.tfar = far;
-        ray.ray.mask = ~0U;
+        RTCRayHit ray{ray_from(glm::vec3(surface.start_m), {x_[k], y_[k], z_[k]}, 0.0F, far), {}};
         ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene_.embree(), &context, &ray);
         if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
@@ -208,16 +191,8 @@ TracedPixel PixelTracer::gathered(const Surface& surface) const {
 
 void PixelTracer::append_last_rays(std::vector<RTCRay>& rays) const {
     for (std::size_t k = 0; k < static_cast<std::size_t>(sampler_.rays()); ++k) {
-        RTCRay ray{};
-        ray.org_x = start_m_.x;
-        ray.org_y = start_m_.y;
-        ray.org_z = start_m_.z;
-        ray.dir_x = x_[k];
-        ray.dir_y = y_[k];
-        ray.dir_z = z_[k];
-        ray.tfar = static_cast<float>(options_.radius_m);
-        ray.mask = ~0U;
-        rays.push_back(ray);
+        rays.push_back(ray_from(glm::vec3(start_m_), {x_[k], y_[k], z_[k]}, 0.0F,
+                                static_cast<float>(options_.radius_m)));
     }
 }
 

@@ -43,19 +43,6 @@ glm::vec3 mean_colour(const Scene& scene, TextureIndex index) {
     return glm::vec3(sum / weights);
 }
 
-RTCRay ray_from(const glm::vec3& start, const glm::vec3& direction, float far_m) {
-    RTCRay ray{};
-    ray.org_x = start.x;
-    ray.org_y = start.y;
-    ray.org_z = start.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tfar = far_m;
-    ray.mask = ~0U;
-    return ray;
-}
-
 /// As passes/lighting.glsl has it: what a cone lets through along a direction from the light.
 float through_cone(const PointLight& light, const glm::vec3& from_light) {
     if (light.outer_cone_rad >= std::numbers::pi_v<float>) return 1.0F;
@@ -82,7 +69,7 @@ ProbeRays::ProbeRays(const Scene& scene)
 
 ProbeHit ProbeRays::trace(const glm::vec3& from_m, const glm::vec3& direction) const {
     const glm::vec3 start(glm::dvec3(from_m) - rays_.origin_m());
-    RTCRayHit found{ray_from(start, direction, std::numeric_limits<float>::infinity()), {}};
+    RTCRayHit found{ray_from(start, direction, 0.0F, std::numeric_limits<float>::infinity()), {}};
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RayScene::Context context(false);  // probes see every side
     rtcIntersect1(rays_.embree(), &context, &found);
@@ -115,7 +102,7 @@ ProbeHit ProbeRays::trace(const glm::vec3& from_m, const glm::vec3& direction) c
 }
 
 bool ProbeRays::sees(const glm::vec3& from_m, const glm::vec3& direction, float far_m) const {
-    RTCRay ray = ray_from(glm::vec3(glm::dvec3(from_m) - rays_.origin_m()), direction, far_m);
+    RTCRay ray = ray_from(glm::vec3(glm::dvec3(from_m) - rays_.origin_m()), direction, 0.0F, far_m);
     RayScene::Context context(false);
     rtcOccluded1(rays_.embree(), &context, &ray);
     return ray.tfar >= 0.0F;

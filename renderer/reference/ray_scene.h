@@ -21,6 +21,22 @@ inline constexpr int kPacket = 16;
 /// Flush to zero and denormals are zero (Intel SDM, volume 1, 10.2.3).
 inline constexpr unsigned kFlushDenormals = 0x8040;
 
+/// A ray that any geometry may stop between two distances along `towards`, in its lengths.
+[[nodiscard]] inline RTCRay ray_from(const glm::vec3& start, const glm::vec3& towards, float near,
+                                     float far) {
+    RTCRay ray{};
+    ray.org_x = start.x;
+    ray.org_y = start.y;
+    ray.org_z = start.z;
+    ray.dir_x = towards.x;
+    ray.dir_y = towards.y;
+    ray.dir_z = towards.z;
+    ray.tnear = near;
+    ray.tfar = far;
+    ray.mask = ~0U;
+    return ray;
+}
+
 /// Embree's view of a scene, and what the filter functions need to judge a hit. Coordinates inside
 /// are shifted by origin_m(), so that a scene far from the world's origin keeps its precision; the
 /// shift is chosen so that it rounds nothing.
