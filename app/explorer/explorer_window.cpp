@@ -106,12 +106,10 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
         glfwTerminate();
         throw;
     }
-    canvas_ = std::make_unique<Canvas>();
     glfwFocusWindow(window_);
 }
 
 ExplorerWindow::~ExplorerWindow() {
-    canvas_.reset();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -172,7 +170,6 @@ void ExplorerWindow::begin_frame(double wait_s, double not_before_s,
         load_fonts();
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
-        canvas_->forget();
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -209,7 +206,12 @@ void ExplorerWindow::show_short_presses() {
 void ExplorerWindow::end_frame() {
     ImGui::Render();
     const WindowSize now = size();
-    canvas_->show(*ImGui::GetDrawData(), {now.width, now.height}, {0.16F, 0.17F, 0.18F});
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, now.width, now.height);
+    glClearColor(0.16F, 0.17F, 0.18F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     first_input_s_.reset();
 }

@@ -4,12 +4,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/explorer/canvas.h"
 #include "app/window/fonts.h"
 
 struct GLFWwindow;
@@ -77,7 +75,6 @@ class ExplorerWindow {
     };
 
     GLFWwindow* window_ = nullptr;
-    std::unique_ptr<Canvas> canvas_;
     window::Fonts fonts_;
     float text_scale_ = 1.0F;
     float wanted_text_scale_ = 1.0F;
