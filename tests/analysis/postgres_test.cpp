@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "tests/app/commands/readme_commands.h"
 #include "tests/support/postgres.h"
 
 #include <fmt/format.h>
@@ -18,6 +17,7 @@
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/app/commands/readme_commands.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/support/temporary_folder.h"
 
