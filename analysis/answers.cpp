@@ -34,28 +34,40 @@ void AnswerTable::rename(const std::unordered_map<std::uint32_t, std::uint32_t>&
 void AnswerTable::add(const SessionRecord& session) {
     const std::uint32_t name = names.number_of(session.session_id);
     session_places_.emplace(name, static_cast<std::uint32_t>(sessions.size()));
+    // Most sessions share all but their names with the one before.
+    const SessionEntry last = sessions.empty() ? SessionEntry() : sessions.back();
     sessions.push_back({name, names.number_of(session.participant_id),
-                        names.number_of(session.study), names.number_of(session.exclusion),
-                        session.kind, session.state, names.number_of(session.study_sha256),
-                        names.number_of(session.study_plan)});
+                        names.number_of(session.study, last.study),
+                        names.number_of(session.exclusion, last.exclusion), session.kind,
+                        session.state, names.number_of(session.study_sha256, last.study_sha256),
+                        names.number_of(session.study_plan, last.study_plan)});
+}
+
+/// The place of what the trial showed. Most trials show what their condition showed before.
+std::uint32_t AnswerTable::place_of(const TrialRecord& trial) {
+    const std::uint32_t id = names.number_of(trial.condition);
+    const auto [last, is_new] = last_places_.try_emplace(id);
+    const ConditionEntry before = is_new ? ConditionEntry() : conditions[last->second];
+    ConditionEntry shown;
+    shown.id = id;
+    shown.hypothesis = names.number_of(trial.hypothesis, before.hypothesis);
+    shown.validity = names.number_of(trial.validity, before.validity);
+    shown.variant_a = names.number_of(trial.condition_A, before.variant_a);
+    shown.variant_b = names.number_of(trial.condition_B, before.variant_b);
+    shown.scene = names.number_of(trial.scene, before.scene);
+    shown.study_a = shown.variant_a;
+    if (is_new || shown != before) last->second = place_of(shown);
+    return last->second;
 }
 
 void AnswerTable::add(const TrialRecord& trial) {
     // Most trials are of the session of the one before.
-    if (names[last_session_] != trial.session_id) last_session_ = names.number_of(trial.session_id);
+    last_session_ = names.number_of(trial.session_id, last_session_);
     const auto session = session_places_.find(last_session_);
     if (session == session_places_.end()) return;
     AnswerEntry answer;
     answer.session = session->second;
-    ConditionEntry shown;
-    shown.id = names.number_of(trial.condition);
-    shown.hypothesis = names.number_of(trial.hypothesis);
-    shown.validity = names.number_of(trial.validity);
-    shown.variant_a = names.number_of(trial.condition_A);
-    shown.variant_b = names.number_of(trial.condition_B);
-    shown.scene = names.number_of(trial.scene);
-    shown.study_a = shown.variant_a;
-    answer.condition = place_of(shown);
+    answer.condition = place_of(trial);
     answer.repeats = names.number_of(trial.repeats);
     answer.trial_index = trial.trial_index;
     if (std::isfinite(trial.response_time_s)) answer.response_time_s = trial.response_time_s;

@@ -23,8 +23,9 @@ class Names {
     Names& operator=(const Names&) = delete;
     ~Names() = default;
 
-    /// The number of the text, a new one when it is new.
-    std::uint32_t number_of(std::string_view text) {
+    /// The number of the text, a new one when it is new. `guess` is what it may well be.
+    std::uint32_t number_of(std::string_view text, std::uint32_t guess = 0) {
+        if (texts_.size() > guess && texts_[guess] == text) return guess;
         if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
         const auto number = static_cast<std::uint32_t>(texts_.size());
         numbers_.emplace(texts_.emplace_back(text), number);
@@ -103,9 +104,13 @@ class AnswerTable {
     void add(const TrialRecord& trial);
 
   private:
+    std::uint32_t place_of(const TrialRecord& trial);
+
     std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> condition_places_;
     std::unordered_map<std::uint32_t, std::uint32_t> session_places_;  ///< by name, of records
     std::uint32_t last_session_ = 0;                                   ///< name of a trial's
+    /// The place of what each condition showed last, by its id.
+    std::unordered_map<std::uint32_t, std::uint32_t> last_places_;
 };
 
 /// The answers of a store, all of one moment, read a row at a time. `url` stands for it.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/store/columns.h"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +15,11 @@ namespace {
 
 base::Error unknown_word(std::string_view what, std::string_view met) {
     return base::failure("the store holds the unknown {} '{}'", what, met);
+}
+
+template <typename T>
+base::Error unknown_number(T met) {
+    return base::failure("the store holds the number {}, which none of its values can be", met);
 }
 
 /// How a member's type lies in a cell.
@@ -26,19 +33,29 @@ struct Codec<std::string> {
     static void from(std::string& value, const Cell& cell) { value = cell.text; }
 };
 
+/// Nothing that is measured is below 0.
 template <>
 struct Codec<double> {
     static constexpr CellType kType = CellType::kReal;
     static void to(double value, Cell& cell) { cell.real = value; }
-    static void from(double& value, const Cell& cell) { value = cell.real; }
+    static void from(double& value, const Cell& cell) {
+        if (!(cell.real >= 0 && std::isfinite(cell.real))) throw unknown_number(cell.real);
+        value = cell.real;
+    }
 };
 
-/// int, bool and std::uint64_t; the last fits because the store refuses values above 2^63 - 1.
+/// int, bool and std::uint64_t, none of which is below 0; the last fits because the store refuses
+/// values above 2^63 - 1.
 template <typename T>
 struct IntegerCodec {
     static constexpr CellType kType = CellType::kInteger;
     static void to(T value, Cell& cell) { cell.integer = static_cast<long long>(value); }
-    static void from(T& value, const Cell& cell) { value = static_cast<T>(cell.integer); }
+    static void from(T& value, const Cell& cell) {
+        const bool fits = cell.integer >= 0 && static_cast<unsigned long long>(cell.integer) <=
+                                                   std::numeric_limits<T>::max();
+        if (!fits) throw unknown_number(cell.integer);
+        value = static_cast<T>(cell.integer);
+    }
 };
 template <>
 struct Codec<int> : IntegerCodec<int> {};
@@ -52,7 +69,7 @@ struct Codec<char> {
     static constexpr CellType kType = CellType::kText;
     static void to(char value, Cell& cell) { cell.text.assign(1, value); }
     static void from(char& value, const Cell& cell) {
-        if (cell.text.size() != 1) throw unknown_word("letter", cell.text);
+        if (cell.text != "A" && cell.text != "B") throw unknown_word("side", cell.text);
         value = cell.text.front();
     }
 };
@@ -101,6 +118,16 @@ struct TextOrNull {
     }
     static void from(std::string& value, const Cell& cell) {
         value = cell.indicator == soci::i_ok ? cell.text : std::string();
+    }
+};
+
+/// A level of ecological validity.
+struct Level : Codec<std::string> {
+    static void from(std::string& value, const Cell& cell) {
+        if (cell.text != "low" && cell.text != "moderate" && cell.text != "high") {
+            throw unknown_word("level of validity", cell.text);
+        }
+        value = cell.text;
     }
 };
 
@@ -191,7 +218,7 @@ const RecordTable<TrialRecord>& trials_table() {
                                        column<&R::condition>("condition"),
                                        column<&R::hypothesis>("hypothesis"),
                                        column<&R::scene>("scene"),
-                                       column<&R::validity>("validity"),
+                                       column<&R::validity, Level>("validity"),
                                        column<&R::condition_A>("condition_A"),
                                        column<&R::condition_B>("condition_B"),
                                        column<&R::first_shown>("first_shown"),

@@ -33,7 +33,8 @@ constexpr int kTurnNumber = 0x6f627363;
 /// The low byte of an extended result code (https://www.sqlite.org/rescode.html).
 constexpr int kPrimaryCode = 0xff;
 
-/// A store from this size on, 150,000 answers, is not checked index by index.
+/// A store from this size on, 150,000 answers, is not checked index by index: that takes three
+/// times as long as to read every page.
 constexpr std::uintmax_t kLargeBytes = std::uintmax_t{64} << 20U;
 
 /// First 16 bytes of a database (https://www.sqlite.org/fileformat.html, 1.3.1).
@@ -112,6 +113,17 @@ std::string read_only_mode(const fs::path& file) {
     return alone ? "?mode=ro&immutable=1" : "?mode=ro";
 }
 
+std::string connection_string(const std::string& uri) {
+    return fmt::format("db={} timeout={}", uri, kBusyTimeoutS);
+}
+
+/// "ok", or the first damage that `check`, a pragma of SQLite's, meets.
+std::string finding_of(soci::session& session, std::string_view check) {
+    std::string finding;
+    session << fmt::format("PRAGMA {}(1)", check), soci::into(finding);
+    return finding;
+}
+
 sqlite_api::sqlite3* connection_of(soci::session& session) {
     return static_cast<soci::sqlite3_session_backend*>(session.get_backend())->conn_;
 }
@@ -150,11 +162,10 @@ void Database::open_sqlite(const std::string& file, bool read_only) {
 
     if (!exists && !read_only) make_private(path);
 
-    const std::string uri =
-        "file:" + percent_encoded(path.string()) + (read_only ? read_only_mode(path) : "");
+    uri_ = "file:" + percent_encoded(path.string()) + (read_only ? read_only_mode(path) : "");
     use_connections_without_locks();
     guarded("open", [&] {
-        session_.open(soci::sqlite3, fmt::format("db={} timeout={}", uri, kBusyTimeoutS));
+        session_.open(soci::sqlite3, connection_string(uri_));
         execute("PRAGMA foreign_keys = ON");
         // FULL would leave the deletion of the journal, which is the commit, to the system's
         // leisure.
@@ -233,17 +244,32 @@ void Database::do_not_wait_for_the_disk() {
     if (system_ == System::kSqlite) execute("PRAGMA synchronous = OFF");
 }
 
+bool Database::is_large() const {
+    std::error_code ignored;
+    return fs::file_size(name_, ignored) >= kLargeBytes;
+}
+
 void Database::require_whole() {
     if (system_ != System::kSqlite) return;
-    // The quick check reads every page but does not hold each index against its table; on a large
-    // store that would take three times as long.
-    std::error_code ignored;
-    const bool small = fs::file_size(name_, ignored) < kLargeBytes;
-    std::string finding;
-    session_ << (small ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)"),
-        soci::into(finding);
-    if (finding == "ok") return;
-    throw damaged("open", one_line(finding));
+    require_ok(finding_of(session_, is_large() ? "quick_check" : "integrity_check"));
+}
+
+void Database::require_whole_beside() {
+    if (system_ != System::kSqlite || !is_large()) return require_whole();
+    check_ = std::async(std::launch::async, [uri = uri_] {
+        soci::session beside(soci::sqlite3, connection_string(uri));
+        // What a value may be is held by its reader (columns.cpp), in half the time.
+        beside << "PRAGMA ignore_check_constraints = ON";
+        return finding_of(beside, "quick_check");
+    });
+}
+
+void Database::await_check() {
+    if (reading_ == nullptr && check_.valid()) require_ok(check_.get());
+}
+
+void Database::require_ok(const std::string& finding) const {
+    if (finding != "ok") throw damaged("open", one_line(finding));
 }
 
 void Database::require_in_place() {
@@ -375,23 +401,25 @@ void Transaction::commit() {
     open_ = false;
 }
 
-ReadTransaction::ReadTransaction(Database& database)
+ReadTransaction::ReadTransaction(Database& database, Moment moment)
     : database_(database), outermost_(database.reading_ == nullptr) {
     if (!outermost_) return;
-    if (database_.system() == Database::System::kSqlite) {
+    const bool sqlite = database_.system() == Database::System::kSqlite;
+    if (sqlite && moment == Moment::kCopied) {
         copy_.open(soci::sqlite3, "");
         database_.copy_sqlite_to(copy_);
         database_.reading_ = &copy_;
-    } else {
-        database_.execute("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
-        database_.reading_ = &database_.session_;
+        return;
     }
+    database_.execute(sqlite ? "BEGIN" : "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
+    database_.reading_ = &database_.session_;
 }
 
 ReadTransaction::~ReadTransaction() {
     if (!outermost_) return;
+    const bool of_copy = database_.reading_ == &copy_;
     database_.reading_ = nullptr;
-    if (database_.system() == Database::System::kSqlite) return;
+    if (of_copy) return;
     try {
         database_.execute("COMMIT");
     } catch (const soci::soci_error&) {

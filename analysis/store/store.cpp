@@ -115,11 +115,12 @@ void set_state(Database& database, const std::string& session_id, SessionState s
 Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Impl>(url, access)) {
     Database& database = impl_->database;
     database.guarded("open", [&] {
-        database.require_whole();
         if (access == Access::kReadOnly) {
+            database.require_whole_beside();
             require_current(database, migrations());
             return;
         }
+        database.require_whole();
         if (access == Access::kThrowaway) database.do_not_wait_for_the_disk();
         migrate(database, migrations());
         database.keep_in_one_file();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/store/merged_rows.h"
+#include "analysis/store/moment.h"
 #include "analysis/store/records.h"
 
 namespace obscura::analysis {
@@ -120,7 +121,7 @@ class Store {
                      const std::function<void(const TrialRecord&)>& take_trial);
     /// All that `work` reads is what the store held at one moment, also while a kiosk is writing.
     /// Calls within `work` join in.
-    void of_one_moment(const std::function<void()>& work);
+    void of_one_moment(const std::function<void()>& work, Moment moment = Moment::kCopied);
 
   private:
     struct Impl;

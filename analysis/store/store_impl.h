@@ -56,7 +56,7 @@ struct Store::Impl {
     template <typename Record>
     void each(const RecordTable<Record>& table, const std::string& rest,
               const std::function<void(const Record&)>& take) {
-        database.guarded("read", [&] {
+        database.read([&] {
             Rows<Record> rows(database.session(), table, rest);
             for (Record record; rows.next(record);) take(record);
         });
@@ -65,8 +65,7 @@ struct Store::Impl {
     template <typename Record>
     std::vector<Record> read(const RecordTable<Record>& table, const std::string& rest,
                              const std::vector<std::string>& values = {}) {
-        return database.guarded("read",
-                                [&] { return select(database.session(), table, rest, values); });
+        return database.read([&] { return select(database.session(), table, rest, values); });
     }
 };
 

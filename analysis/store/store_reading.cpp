@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "analysis/store/checks.h"
 #include "analysis/store/columns.h"
 #include "analysis/store/store_impl.h"
 
@@ -27,12 +26,11 @@ std::vector<SessionRecord> Store::open_sessions(const std::string& study, Kind k
 
 std::vector<std::uint64_t> Store::taken_slots(const std::string& study, std::uint64_t seed,
                                               Kind kind) {
-    return impl_->database.guarded("read",
-                                   [&] { return slots_taken(impl_->database, study, seed, kind); });
+    return impl_->database.read([&] { return slots_taken(impl_->database, study, seed, kind); });
 }
 
 std::vector<std::string> Store::codes_of(const std::string& study) {
-    return impl_->database.guarded("read", [&] {
+    return impl_->database.read([&] {
         const std::string kind(to_string(Kind::kParticipant));
         const soci::rowset<std::string> rows =
             (impl_->database.session().prepare
@@ -45,8 +43,8 @@ std::vector<std::string> Store::codes_of(const std::string& study) {
 }
 
 std::string Store::latest_utc() {
-    return impl_->database.guarded(
-        "read", [&] {
+    return impl_->database.read(
+        [&] {
             std::string latest;
             soci::indicator indicator = soci::i_null;
             impl_->database.session()
@@ -83,7 +81,7 @@ void Store::each_session(const std::function<void(const SessionRecord&)>& take) 
 void Store::each_session_with_events(
     const std::function<void(const SessionRecord&, const std::vector<EventRecord>&)>& take) {
     of_one_moment([&] {
-        impl_->database.guarded("read", [&] {
+        impl_->database.read([&] {
             soci::session& session = impl_->database.session();
             Rows<SessionRecord> sessions(session, sessions_table(), "sessions ORDER BY entry");
             Rows<EventRecord> events(session, events_table(),
@@ -121,7 +119,7 @@ void Store::each_answer(const std::function<void(const SessionRecord&)>& take_se
 
 void Store::each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take) {
     of_one_moment([&] {
-        impl_->database.guarded("read", [&] {
+        impl_->database.read([&] {
             // Two rows of statements side by side, so that no session is read once for each trial.
             // CROSS JOIN keeps SQLite from sorting the trials: it finds them session by session.
             soci::session& session = impl_->database.session();
@@ -144,9 +142,9 @@ void Store::each_trial(const std::function<void(const TrialRecord&, const Sessio
     });
 }
 
-void Store::of_one_moment(const std::function<void()>& work) {
-    impl_->database.guarded("read", [&] {
-        const ReadTransaction transaction(impl_->database);
+void Store::of_one_moment(const std::function<void()>& work, Moment moment) {
+    impl_->database.read([&] {
+        const ReadTransaction transaction(impl_->database, moment);
         work();
     });
 }

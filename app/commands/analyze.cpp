@@ -66,6 +66,10 @@ struct Answers {
 /// What else was asked of each pair; nothing where only they were, with what stands in the way.
 std::optional<analysis::QuestionsResult> questions_of(analysis::Store& store,
                                                       analysis::Tally& tally, analysis::Kind kind) {
+    // Where all sessions carry one plan it says so without another look at each of them.
+    const bool none =
+        tally.plan.has_value() && analysis::asked_questions(tally.plan_text).list.empty();
+    if (none) return std::nullopt;
     const auto data = analysis::read_question_data(store, tally.study, kind);
     if (data.has_value()) return analysis::analyse_questions(*data);
     if (data.reason != analysis::kNothingElseAsked) tally.notes.push_back(data.reason);
@@ -98,7 +102,7 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
     analysis::Store store(url, analysis::Store::Access::kReadOnly);
     const auto kind = analysis::kind_from(options.kind);
     Answers answers;
-    store.of_one_moment([&] {
+    const auto read = [&] {
         answers.tally =
             analysis::tally_of(analysis::read_answers(store, url), options.study, *kind);
         answers.questions = questions_of(store, answers.tally, *kind);
@@ -115,7 +119,10 @@ Answers answers_of_store(const std::string& url, const AnalyzeOptions& options) 
         if (!options.out.empty() || options.full) {
             answers.attendance = analysis::attendance_of(store, answers.tally.study, *kind);
         }
-    });
+    };
+    // Images and attendance are read beside the answers; a kiosk would wait for all of it.
+    const bool reads_on = !options.preregistered.empty() || !options.out.empty() || options.full;
+    store.of_one_moment(read, reads_on ? analysis::Moment::kCopied : analysis::Moment::kHeld);
     return answers;
 }
 
