@@ -53,20 +53,29 @@ struct Letters {
     Rows others;  ///< a key changes to them; none where the page's language is written in Latin
 };
 
+[[nodiscard]] bool is_latin(const Rows& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](const std::u32string& row) {
+        return row.find(U'a') != std::u32string::npos;
+    });
+}
+
 [[nodiscard]] Letters letters_of(const std::string& own_letters, KeypadLetters first,
                                  bool changed) {
     Rows own = rows_of(own_letters);
     Rows latin = rows_of(kLatin);
-    const bool is_latin = std::any_of(own.begin(), own.end(), [](const std::u32string& row) {
-        return row.find(U'a') != std::u32string::npos;
-    });
-    if (is_latin) return {std::move(own), {}};
+    if (is_latin(own)) return {std::move(own), {}};
     if (changed != (first == KeypadLetters::kLatin)) return {std::move(latin), std::move(own)};
     return {std::move(own), std::move(latin)};
 }
 
 [[nodiscard]] char32_t capital(char32_t letter) {
     return static_cast<char32_t>(u_toupper(static_cast<UChar32>(letter)));
+}
+
+/// On the key that leads to these letters; empty: there are none.
+[[nodiscard]] std::string change_label(const Rows& letters) {
+    if (letters.empty()) return "";
+    return is_latin(letters) ? "ABC" : utf8::utf32to8(letters[0].substr(0, 3));
 }
 
 /// A letter that has a capital; 0: none has.
@@ -156,7 +165,7 @@ void row_of_keys(Keys& keys, std::u32string_view row, bool capitals, TextEntry& 
 void last_row(Keys& keys, const Rows& letters, const Rows& others, TextEntry& entry,
               KeypadState& state) {
     const char32_t cased = letter_with_case(letters);
-    const std::string change = others.empty() ? "" : utf8::utf32to8(others[0].substr(0, 3));
+    const std::string change = change_label(others);
     const float change_px = 1.6F * keys.side_px();
     const float blank_px = kBlankKeys * keys.side_px();
     const float wide =
