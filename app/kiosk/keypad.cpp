@@ -166,17 +166,19 @@ void last_row(Keys& keys, const Rows& letters, const Rows& others, TextEntry& en
               KeypadState& state) {
     const char32_t cased = letter_with_case(letters);
     const std::string change = change_label(others);
-    const float change_px = 1.6F * keys.side_px();
+    // Of more than one letter, which stay on one line.
+    const float change_px = std::round(1.7F * keys.side_px());
     const float blank_px = kBlankKeys * keys.side_px();
+    const int changes = (cased != 0 ? 1 : 0) + (change.empty() ? 0 : 1);
     const float wide =
-        blank_px + Keys::apart() + (change.empty() ? 0.0F : change_px + Keys::apart());
-    keys.begin_row(static_cast<float>(kMarks.size()) + (cased != 0 ? 2.0F : 1.0F), wide);
+        blank_px + Keys::apart() + static_cast<float>(changes) * (change_px + Keys::apart());
+    keys.begin_row(static_cast<float>(kMarks.size()) + 1.0F, wide);
     const auto pressed = [&](const std::string& label, float width_px = 0.0F) {
         const bool is = keys.key(label, width_px);
         state.pressed = state.pressed || is;
         return is;
     };
-    if (cased != 0 && pressed(utf8_of(capital(cased)) + utf8_of(cased))) {
+    if (cased != 0 && pressed(utf8_of(capital(cased)) + utf8_of(cased), change_px)) {
         state.capitals = !state.capitals;
     }
     if (!change.empty() && pressed(change, change_px)) state.changed = !state.changed;

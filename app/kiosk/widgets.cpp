@@ -64,7 +64,7 @@ void set_style(float text_px) {
     style.ItemSpacing = {std::round(text_px * 0.6F), std::round(text_px * 0.55F)};
     style.ItemInnerSpacing = {std::round(text_px * 0.45F), std::round(text_px * 0.3F)};
     style.ScrollbarSize = text_px * 1.1F;  // wide enough for a finger
-    style.DisabledAlpha = 1.0F;  // fading would make text too faint to read
+    style.DisabledAlpha = 1.0F;            // fading would make text too faint to read
     set_colours(style);
 }
 

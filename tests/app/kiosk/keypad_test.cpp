@@ -95,6 +95,10 @@ TEST(Keypad, LettersDigitsCapitalsBlanksAndMarksAreTypedByMouse) {
     KeypadPage form("en");
     EXPECT_FALSE(KeypadPage::shows_keys());
     form.click_field("T1");
+    const auto capitals = ShownPage::place_of("Aa");
+    ASSERT_TRUE(capitals.has_value());
+    EXPECT_NEAR(capitals->y, ShownPage::place_of("-")->y, 0.5 * ImGui::GetFontSize())
+        << "on one line";
     form.click_keys({"Aa", "J", "o"});
     form.click_blank();
     form.click_keys({"o", "'", "Aa", "B", "1", "9", kBack, "0", "-", "."});
