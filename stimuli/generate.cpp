@@ -185,7 +185,7 @@ ManifestImage as_copy(const Study& study, const Stimulus& stimulus, ManifestImag
 /// The pairs that were selected.
 std::vector<ManifestPair> of_selected(const Selection& selection, std::vector<ManifestPair> pairs) {
     std::erase_if(pairs, [&](const ManifestPair& pair) {
-        return !selection.pair.empty() && pair.condition != selection.pair;
+        return !selection.condition.empty() && pair.condition != selection.condition;
     });
     return pairs;
 }
@@ -197,7 +197,7 @@ std::vector<std::string> warnings_of_selected(const Study& study, const Selectio
     std::vector<std::string> warnings = warnings_of(study, of_selected(selection, pairs));
     Manifest selected = manifest;
     std::erase_if(selected.images, [&](const ManifestImage& image) {
-        return !selection.pair.empty() && image.condition != selection.pair;
+        return !selection.condition.empty() && image.condition != selection.condition;
     });
     for (std::string& claim : disordered_claims(study, selected)) {
         warnings.push_back(std::move(claim));

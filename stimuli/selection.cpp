@@ -12,17 +12,17 @@ namespace obscura::stimuli {
 std::vector<Stimulus> selected(const Study& study, const Selection& selection) {
     base::check_range("--shard", "N", selection.shards, 1, 1000000);
     base::check_range("--shard", "K", selection.shard, 1, selection.shards);
-    if (!selection.pair.empty() && study.find_condition(selection.pair) == nullptr) {
+    if (!selection.condition.empty() && study.find_condition(selection.condition) == nullptr) {
         std::string known;
         for (const Condition& condition : study.conditions) {
             known += (known.empty() ? "" : ", ") + condition.id;
         }
-        throw base::bad_input("--pair: study {} has no condition \"{}\"; it has {}", study.name,
-                              selection.pair, known);
+        throw base::bad_input("--condition: study {} has no condition \"{}\"; it has {}",
+                              study.name, selection.condition, known);
     }
     std::vector<Stimulus> wanted;
     for (const Stimulus& stimulus : stimuli_of(study)) {
-        if (selection.pair.empty() || stimulus.condition->id == selection.pair) {
+        if (selection.condition.empty() || stimulus.condition->id == selection.condition) {
             wanted.push_back(stimulus);
         }
     }

@@ -12,8 +12,8 @@ namespace obscura::stimuli {
 
 /// Which images of a study to make.
 struct Selection {
-    std::string pair = {};  ///< id of one condition; empty: all
-    int shard = 1;          ///< this one of `shards` parts, from 1
+    std::string condition = {};  ///< id of one; empty: all
+    int shard = 1;               ///< this one of `shards` parts, from 1
     int shards = 1;
     bool buffers = false;  ///< also CONDITION-a.exr, the buffers behind each image
     std::filesystem::path known =

@@ -30,6 +30,10 @@ constexpr double kSameLuminance = 0.001;
 constexpr int kExposureSteps = 5;
 constexpr double kLeastFactor = 1.0 / 64.0;
 constexpr double kMostFactor = 64.0;
+/// By how much fewer columns and rows an image has that only compiles shaders.
+constexpr int kFewerToCompile = 8;
+
+int fewer_px(int length_px, int fewer) { return std::max(1, length_px / fewer); }
 
 ManifestToneMapping tone_mapping_of(const renderer::Lighting& lighting) {
     if (!lighting.tone_mapping) return {};
@@ -56,6 +60,7 @@ void StimulusRenderer::load(const StudyScene& scene) {
     if (loaded_.source == scene.source && loaded_.scale == scene.settings.scale) return;
     loaded_ = {};
     known_ = {};
+    compiled_ = {};
     SceneSettings geometry;
     geometry.scale = scene.settings.scale;
     loaded_.opened = open_scene(scene.source, geometry, study_.folder, catalogue_);
@@ -106,17 +111,17 @@ renderer::TracedAccessibility StimulusRenderer::tracer() {
     };
 }
 
-renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
-                                         const renderer::FrameOptions& options,
-                                         const renderer::ViewBuffers& known) {
+renderer::Frame StimulusRenderer::render_with(const Stimulus& stimulus,
+                                              const renderer::FrameOptions& options,
+                                              const renderer::ViewBuffers& known, int fewer) {
     const View view = view_of(stimulus);
     return renderer_.render(
         {*loaded_.gpu, view.lighting, view.camera, options, tracer(), rays_of_scene()},
-        stimulus.choice(), study_.width, study_.height, known);
+        stimulus.choice(), fewer_px(study_.width, fewer), fewer_px(study_.height, fewer), known);
 }
 
 renderer::Frame StimulusRenderer::render_exposed(const Stimulus& stimulus, double factor,
-                                                 const renderer::ViewBuffers& known) {
+                                                 const renderer::ViewBuffers& known, int fewer) {
     const View view = view_of(stimulus);
     renderer::Lighting lighting = view.lighting;
     renderer::ToneMapping tone =
@@ -125,15 +130,14 @@ renderer::Frame StimulusRenderer::render_exposed(const Stimulus& stimulus, doubl
     lighting.tone_mapping = tone;
     return renderer_.render(
         {*loaded_.gpu, lighting, view.camera, study_.frame_options(), tracer(), rays_of_scene()},
-        stimulus.choice(), study_.width, study_.height, known);
+        stimulus.choice(), fewer_px(study_.width, fewer), fewer_px(study_.height, fewer), known);
 }
 
 std::optional<double> StimulusRenderer::exposure_factor(const Stimulus& stimulus) {
     if (!study_.match_luminance || stimulus.side == 'a') return std::nullopt;
     const auto [entry, fresh] = exposure_factors_.try_emplace(stimulus.condition->id, 1.0);
     if (!fresh) return entry->second;
-    const auto options = study_.frame_options();
-    const renderer::Frame first = render({stimulus.condition, 'a'}, options);
+    const renderer::Frame first = render_with({stimulus.condition, 'a'}, study_.frame_options());
     const double wanted = brightness_of(image_of(first)).mean;
     const renderer::ViewBuffers known = first.view_buffers();
     double factor = 1.0;
@@ -174,11 +178,25 @@ std::optional<Accuracy> StimulusRenderer::accuracy(const Stimulus& stimulus,
     return accuracy_of(frame.read_accessibility(), *truth->second);
 }
 
-renderer::Frame StimulusRenderer::render(const Stimulus& stimulus) {
+renderer::Frame StimulusRenderer::render_at(const Stimulus& stimulus,
+                                            const renderer::ViewBuffers& known, int fewer) {
     if (const std::optional<double> factor = exposure_factor(stimulus)) {
-        return render_exposed(stimulus, *factor, {});
+        return render_exposed(stimulus, *factor, known, fewer);
     }
-    return render(stimulus, study_.frame_options());
+    return render_with(stimulus, study_.frame_options(), known, fewer);
+}
+
+renderer::Frame StimulusRenderer::render(const Stimulus& stimulus,
+                                         const renderer::ViewBuffers& known) {
+    return render_at(stimulus, known, 1);
+}
+
+void StimulusRenderer::compile(const Stimulus& stimulus) {
+    const std::string& scene = stimulus.condition->scene;
+    if (compiled_.scene != scene) compiled_ = {scene};
+    compiled_.planned = render_at(stimulus, compiled_.planned, kFewerToCompile).view_buffers();
+    compiled_.everything =
+        render_everything(stimulus, compiled_.everything, kFewerToCompile).view_buffers();
 }
 
 renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
@@ -186,16 +204,20 @@ renderer::Frame StimulusRenderer::render_next(const Stimulus& stimulus) {
         known_ = {};
         known_scene_ = stimulus.condition->scene;
     }
-    const std::optional<double> factor = exposure_factor(stimulus);
-    renderer::Frame frame = factor ? render_exposed(stimulus, *factor, known_)
-                                   : render(stimulus, study_.frame_options(), known_);
+    renderer::Frame frame = render(stimulus, known_);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) known_ = std::move(buffers);
     return frame;
 }
 
-renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
+renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus,
+                                                    const renderer::ViewBuffers& known) {
+    return render_everything(stimulus, known, 1);
+}
+
+renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus,
+                                                    const renderer::ViewBuffers& known, int fewer) {
     const View view = view_of(stimulus);
     const renderer::Lighting lighting = renderer::with_everything(view.lighting);
     renderer::FrameOptions options = study_.frame_options();
@@ -203,13 +225,13 @@ renderer::Frame StimulusRenderer::render_everything(const Stimulus& stimulus) {
     return renderer_.render(
         {*loaded_.gpu, lighting, view.camera, options, tracer(), rays_of_scene(),
          renderer::needs_of_everything(*loaded_.opened.scene, lighting)},
-        stimulus.choice(), study_.width, study_.height);
+        stimulus.choice(), fewer_px(study_.width, fewer), fewer_px(study_.height, fewer), known);
 }
 
 renderer::FloatImage StimulusRenderer::render_buffers(const Stimulus& stimulus) {
     const View view = view_of(stimulus);
     const renderer::Frame frame =
-        render(stimulus, {.occluding_opacity = study_.occluding_opacity, .all_buffers = true});
+        render_with(stimulus, {.occluding_opacity = study_.occluding_opacity, .all_buffers = true});
     renderer::FloatImage image = buffers_of(frame, view.lighting);
     const auto matrices = renderer::matrices_of(view.camera, study_.width, study_.height);
     image.matrices["obscura:view"] = column_major(matrices.view_from_world);

@@ -42,15 +42,20 @@ class StimulusRenderer {
     explicit StimulusRenderer(const Study& study,
                               const std::vector<BuiltinScene>& catalogue = builtin_scenes());
 
-    /// All buffers of the image.
-    [[nodiscard]] renderer::Frame render(const Stimulus& stimulus);
+    /// All buffers of the image. What `known`, of the same scene id, holds is taken over.
+    [[nodiscard]] renderer::Frame render(const Stimulus& stimulus,
+                                         const renderer::ViewBuffers& known = {});
 
     /// The same to the bit, of which surfaces, shadow maps and light are taken over from the image
     /// before where that was of the same view: ask for images of one scene id together.
     [[nodiscard]] renderer::Frame render_next(const Stimulus& stimulus);
 
     /// The same surfaces from a frame that leaves nothing out (renderer/frame/everything.h).
-    [[nodiscard]] renderer::Frame render_everything(const Stimulus& stimulus);
+    [[nodiscard]] renderer::Frame render_everything(const Stimulus& stimulus,
+                                                    const renderer::ViewBuffers& known = {});
+
+    /// Renders both small, so that neither has shaders left to compile.
+    void compile(const Stimulus& stimulus);
 
     /// Its buffers with one sample a pixel, as one file: depth (Z, metres), view-space normal (N),
     /// linear albedo, accessibility (ao.Y) and light / pi before accessibility, with the camera's
@@ -93,16 +98,21 @@ class StimulusRenderer {
     View view_of(const Stimulus& stimulus);
     /// The factor of the image's light, nothing where the study leaves it as it is.
     std::optional<double> exposure_factor(const Stimulus& stimulus);
+    /// The image, or one with fewer columns and rows by that factor.
+    renderer::Frame render_at(const Stimulus& stimulus, const renderer::ViewBuffers& known,
+                              int fewer);
     renderer::Frame render_exposed(const Stimulus& stimulus, double factor,
-                                   const renderer::ViewBuffers& known);
+                                   const renderer::ViewBuffers& known, int fewer = 1);
+    renderer::Frame render_with(const Stimulus& stimulus, const renderer::FrameOptions& options,
+                                const renderer::ViewBuffers& known = {}, int fewer = 1);
+    renderer::Frame render_everything(const Stimulus& stimulus, const renderer::ViewBuffers& known,
+                                      int fewer);
     /// The rays of the scene that is loaded, for the techniques that ask for them.
     const renderer::ReferenceScene& rays();
     renderer::RaysOfScene rays_of_scene() {
         return [this]() -> const renderer::ReferenceScene& { return rays(); };
     }
     renderer::TracedAccessibility tracer();
-    renderer::Frame render(const Stimulus& stimulus, const renderer::FrameOptions& options,
-                           const renderer::ViewBuffers& known = {});
     void load(const StudyScene& scene);
     const renderer::Lighting& lighting_of(const StudyScene& scene);
     [[nodiscard]] const std::vector<renderer::ImportedFile>& files_of(
@@ -114,6 +124,13 @@ class StimulusRenderer {
     Loaded loaded_;
     std::string known_scene_;  ///< id of the scene that known_ is of
     renderer::ViewBuffers known_;
+    /// Of the small images of one scene id, which only compile shaders.
+    struct Compiled {
+        std::string scene = {};
+        renderer::ViewBuffers planned = {};
+        renderer::ViewBuffers everything = {};
+    };
+    Compiled compiled_;
     std::map<std::string, renderer::Lighting> lightings_;  ///< by the scene's id
     std::map<std::string, double> exposure_factors_;       ///< by the condition's id
     mutable std::map<std::string, std::vector<renderer::ImportedFile>> files_;  ///< the same

@@ -143,8 +143,10 @@ struct Study {
 
 /// Something wrong with a study file.
 struct StudyProblem {
-    int line = 0;         ///< from 1; 0 where the whole file is meant
-    std::string message;  ///< key, value met, what is allowed
+    int line = 0;              ///< from 1; 0 where the whole file is meant
+    std::string message;       ///< key, value met, what is allowed
+    std::string where = {};    ///< the part of the file, as the message begins
+    std::string mistake = {};  ///< the same wherever the same was written; empty: said each time
 };
 
 /// Everything wrong with the text of a study file, ordered by line; empty when it can be run.

@@ -146,21 +146,13 @@ std::optional<renderer::Variant> read_side(TableReader& reader, const std::strin
 /// The scenes that conditions may name.
 struct KnownScenes {
     std::vector<std::string> ids;
-    bool is_complete = true;                            ///< every scene has an id
-    std::map<std::string, std::size_t> undefined = {};  ///< where in the problems each was noted
+    bool is_complete = true;  ///< every scene has an id
 };
 
-/// A name that several conditions have wrong is one mistake, and a scene without an id may be the
-/// one that is meant.
-void require_scene(TableReader& reader, const std::string& scene, const std::string& where,
-                   KnownScenes& scenes, Problems& problems) {
+/// A scene without an id may be the one that is meant.
+void require_scene(TableReader& reader, const std::string& scene, const KnownScenes& scenes) {
     if (!scenes.is_complete ||
         std::find(scenes.ids.begin(), scenes.ids.end(), scene) != scenes.ids.end()) {
-        return;
-    }
-    const auto [noted, is_new] = scenes.undefined.emplace(scene, problems.size());
-    if (!is_new) {
-        problems[noted->second].message += fmt::format("; the same in {}", where);
         return;
     }
     reader.add("scene",
@@ -168,7 +160,7 @@ void require_scene(TableReader& reader, const std::string& scene, const std::str
                            listed(scenes.ids), did_you_mean(scene, scenes.ids)));
 }
 
-Condition read_condition(TableReader& reader, const std::string& where, KnownScenes& scenes,
+Condition read_condition(TableReader& reader, const std::string& where, const KnownScenes& scenes,
                          Problems& problems) {
     Condition condition;
     condition.id = read_id(reader, "id");
@@ -181,7 +173,7 @@ Condition read_condition(TableReader& reader, const std::string& where, KnownSce
     const auto scene = reader.text("scene", Need::kRequired);
     if (scene) {
         condition.scene = *scene;
-        require_scene(reader, *scene, where, scenes, problems);
+        require_scene(reader, *scene, scenes);
     }
     reader.allow("repeats");
     condition.hypothesis = reader.text("hypothesis", Need::kOptional).value_or("");
@@ -284,6 +276,29 @@ void read_root(const toml::table& root, SceneReader& scene_reader, StudyReading&
     reader.finish();
 }
 
+/// Ordered by their lines, and a mistake that was made in several places told once: at the first of
+/// them, with the others behind it.
+Problems each_mistake_once(Problems problems) {
+    std::stable_sort(problems.begin(), problems.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    Problems once;
+    std::map<std::string, std::size_t> told;
+    std::vector<std::string> elsewhere;
+    for (StudyProblem& problem : problems) {
+        const auto [first, is_new] = told.emplace(problem.mistake, once.size());
+        if (is_new || problem.mistake.empty()) {
+            once.push_back(std::move(problem));
+            elsewhere.emplace_back();
+            continue;
+        }
+        std::string& places = elsewhere[first->second];
+        places += fmt::format("{} {} (line {})", places.empty() ? "; the same in" : ",",
+                              problem.where, problem.line);
+    }
+    for (std::size_t i = 0; i < once.size(); ++i) once[i].message += elsewhere[i];
+    return once;
+}
+
 }  // namespace
 
 std::string problem_of_id(const std::string& id) {
@@ -312,8 +327,7 @@ StudyReading read_study(std::string_view text, const std::vector<BuiltinScene>& 
         reading.problems.push_back({static_cast<int>(error.source().begin.line),
                                     fmt::format("not TOML: {}", error.description())});
     }
-    std::stable_sort(reading.problems.begin(), reading.problems.end(),
-                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    reading.problems = each_mistake_once(std::move(reading.problems));
     return reading;
 }
 

@@ -132,7 +132,8 @@ void TableReader::add(const std::string& key, const std::string& message) {
     const auto found = table_.find(key);
     const int line = found != table_.end() ? static_cast<int>(found->first.source().begin.line)
                                            : line_of(table_);
-    problems_.push_back({line, fmt::format("{}: {}: {}", where_, key, message)});
+    const std::string mistake = fmt::format("{}: {}", key, message);
+    problems_.push_back({line, fmt::format("{}: {}", where_, mistake), where_, mistake});
 }
 
 void TableReader::wrong_type(const std::string& key, const toml::node& value,
@@ -307,9 +308,11 @@ void TableReader::finish() {
             guess =
                 fmt::format("; \"{}\" is a setting of {}", *other, listed(elsewhere_.at(*other)));
         }
+        // Where the key that is meant is known, what else is allowed there makes no other mistake.
         problems_.push_back({static_cast<int>(key.source().begin.line),
                              fmt::format("{}: {} is an unknown key, allowed are {}{}", where_,
-                                         in_quotes(name), listed(allowed_), guess)});
+                                         in_quotes(name), listed(allowed_), guess),
+                             where_, name + (guess.empty() ? listed(allowed_) : guess)});
     }
     for (const std::string& key : missing_) {
         problems_.push_back({line_of(table_), fmt::format("{}: {} is missing", where_, key)});

@@ -1,12 +1,15 @@
 # obscura_tests(NAME source... LIBRARIES target...): one program of many test suites, labelled NAME
 # (unit, gpu, kiosk or store). ctest runs a suite at a time: starting the program costs more than
 # most tests do. Another test holds the suites that ctest knows against those of the program, so
-# that none is left out. With ONE_BY_ONE its sources never share a unit.
+# that none is left out.
 function(obscura_tests name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "ONE_BY_ONE" "" "LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "LIBRARIES")
     set(program tests_${name})
     add_executable(${program} ${test_UNPARSED_ARGUMENTS})
-    target_link_libraries(${program} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
+    # All read TOML, or say so: what is compiled alike shares a precompiled header. The kiosk's tests
+    # have threads among their options, by the libraries of its window.
+    target_link_libraries(${program} PRIVATE ${test_LIBRARIES} tomlplusplus::tomlplusplus
+        GTest::gmock GTest::gtest_main)
     target_compile_definitions(${program} PRIVATE
         OBSCURA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         OBSCURA_PROGRAM="$<TARGET_FILE:obscura_program>")
@@ -17,11 +20,11 @@ function(obscura_tests name)
         target_sources(${program} PRIVATE support/sanitizers.cpp)
     endif()
 
-    if(NOT test_ONE_BY_ONE)
-        obscura_unity(${program})
-        if(OBSCURA_UNITY)
-            target_precompile_headers(${program} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
-        endif()
+    obscura_unity(${program})
+    if(OBSCURA_UNITY AND name MATCHES "gpu|store")
+        target_precompile_headers(${program} REUSE_FROM tests_unit)
+    elseif(OBSCURA_UNITY)
+        target_precompile_headers(${program} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
     endif()
 
     set(suites)

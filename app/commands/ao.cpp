@@ -163,7 +163,7 @@ std::function<base::ExitCode()> attach_ao(const Options& app, const Globals& glo
             "mean absolute error and 99th percentile over surfaces, and beside --out the "
             "difference as EXR and PNG")
         .type("FILE|reference");
-    app.add("--rays", options->rays, "Rays a pixel of that reference").shows_default();
+    app.add("--rays", options->rays, "Rays a pixel of the ray-traced reference").shows_default();
     app.add_flag("--json", options->json, "Print JSON");
     app.add_flag("--closed-forms", options->closed_forms,
                  "Instead: hold the reference against every scene whose accessibility is known, "

@@ -93,7 +93,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
             "Scenes in place of a study: built-in ones, or files that end in .gltf, .glb or .obj; "
             "each by all of its cameras")
         .type("SCENE");
-    app.add("--scale", request.scale, "Metres of one unit of such a file (1e-6 to 1e6)")
+    app.add("--scale", request.scale, "Metres of one unit of the file (1e-6 to 1e6)")
         .shows_default();
     app.add("--camera", request.cameras, "Only views by these cameras (default: all)")
         .type("NAME")
@@ -113,8 +113,8 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
         .comma_separated();
     app.add(
         "--radius", request.radius_m,
-        "How far every technique that has a radius looks, and the truth, in metres (default: the "
-        "study's)");
+        "How far every technique that has a radius looks, and the reference, in metres (default: "
+        "the study's)");
     app.add("--denoise", request.filters,
             "Of " + names_of(renderer::denoise_filters()) +
                 " (default: separable, and a technique's own)")
@@ -124,7 +124,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
                         kUsualSize.height))
         .type("WxH");
     app.add("--rays", request.rays,
-            fmt::format("Rays a pixel of the ray-traced truth (default: {})", kUsualSize.rays));
+            fmt::format("Rays a pixel of the ray-traced reference (default: {})", kUsualSize.rays));
     app.add("--runs", request.runs,
             fmt::format("Timed runs of each setting, after {} that are thrown away (default: {})",
                         kDiscardedRuns, kUsualSize.runs));
@@ -135,7 +135,7 @@ std::function<base::ExitCode()> attach_measure(const Options& app, const Globals
                     kQuickSize.width, kQuickSize.height, kQuickSize.rays, kQuickSize.runs));
     app.add_flag(
         "--fit", request.fit,
-        "Also with the parameters that bring each technique nearest to the truth, found on "
+        "Also with the parameters that bring each technique nearest to the reference, found on "
         "other cameras");
     app.add("--write-study", request.write_study,
             "With --fit: write a copy of the study with the fitted values, checked, and with "

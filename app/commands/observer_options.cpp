@@ -67,8 +67,9 @@ std::vector<Option> add_own_options(const Options& app, ObserverOptions& options
 
 void add_observer_options(const Options& app, ObserverOptions& options) {
     app.add("--share", options.shares,
-            "Share of observers who prefer B, 0 to 1: in one condition (I=.6), or in all that are "
-            "not named (.6); repeatable (default: .5)")
+            "True share of votes for B, 0 to 1: in one condition (I=.6), or in all that are not "
+            "named "
+            "(.6); repeatable (default: .5)")
         .type("[CONDITION=]SHARE")
         .repeatable();
     (void)add_own_options(app, options);

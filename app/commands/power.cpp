@@ -317,7 +317,7 @@ std::function<base::ExitCode()> attach_power(const Options& app, const Globals& 
         .needs(study);
     app.add("--seed", options->seed, "Seed of the simulation").shows_default().needs(study);
     app.add("--share", options->shares,
-            "True shares of votes for the preferred image, at least .001 from .5 (0 to 1) "
+            "True share of votes for B, at least .001 from .5 (0 to 1): one or several to compare "
             "(default: .55 .60 .65 .70 .75 .80; of a study .65)");
     const Option level =
         app.add("--level", options->level, "p below which a result is significant (0 to 1)")

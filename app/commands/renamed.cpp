@@ -18,13 +18,10 @@ struct Renamed {
 };
 
 constexpr std::array kRenamed{
-    Renamed{"analyze", "--study", "STUDY"},
-    Renamed{"analyze", "--study-file", "STUDY"},
-    Renamed{"export", "--study", "STUDY"},
-    Renamed{"measure", "--techniques", "--technique"},
-    Renamed{"measure", "--filters", "--denoise"},
-    Renamed{"rehearse", "--store", "--db"},
-    Renamed{"analyze", "--validity", "--by-validity"},
+    Renamed{"analyze", "--study", "STUDY"},       Renamed{"analyze", "--study-file", "STUDY"},
+    Renamed{"export", "--study", "STUDY"},        Renamed{"measure", "--techniques", "--technique"},
+    Renamed{"measure", "--filters", "--denoise"}, Renamed{"rehearse", "--store", "--db"},
+    Renamed{"render", "--pair", "--condition"},   Renamed{"analyze", "--validity", "--by-validity"},
 };
 
 }  // namespace

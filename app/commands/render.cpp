@@ -127,7 +127,7 @@ Command render_command() {
             add_study(app, options->study);
             app.add("--out", options->out, "Folder of the images (default: DATA/stimuli/STUDY)")
                 .folder();
-            app.add("--pair", options->selection.pair, "Only this condition").type("ID");
+            app.add("--condition", options->selection.condition, "Only this condition").type("ID");
             app.add("--shard", options->shard, "Only part K of N, so that N jobs share the work")
                 .type("K/N");
             app.add_flag("--json", options->json, "Print JSON");

@@ -27,7 +27,7 @@ void add_variant_options(const Options& app, VariantArguments& arguments) {
     app.add("--radius", arguments.radius_m,
             "How far a technique that has a radius looks, in metres (default: the technique's)");
     app.add("--preset", arguments.preset,
-            "Values of the parameters that are not set: published, or fitted to the truth")
+            "Values of the parameters that are not set: published, or fitted to the reference")
         .one_of(renderer::preset_names())
         .shows_default();
     app.add("--denoise", arguments.denoise, "Filter of the buffer, see below").shows_default();

@@ -4,13 +4,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace obscura::renderer {
 
-std::string explanation_of(const Frame& frame) {
+bool is_taken_over(const Frame& frame, Phase phase) {
+    const std::vector<PassTime>& all = frame.taken_over();
+    return std::any_of(all.begin(), all.end(),
+                       [phase](const PassTime& time) { return time.phase == phase; });
+}
+
+std::string explanation_of(const Frame& frame, const std::string& known_from) {
     const FramePlan& plan = frame.plan();
     std::string text;
     for (const PassTime& time : by_name(frame.times)) {
-        text += fmt::format("  pass    {:14} {:9.2f} ms\n", time.name, time.milliseconds);
+        const bool is_known = !known_from.empty() && is_taken_over(frame, time.phase);
+        text += fmt::format("  pass    {:14} {:9.2f} ms{}\n", time.name, time.milliseconds,
+                            is_known ? "  shared with " + known_from : "");
     }
     text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", frame.milliseconds());
     for (const PlannedTarget& target : plan.targets) {

@@ -9,6 +9,10 @@
 namespace obscura::renderer {
 
 /// The passes and steps (ms), buffers (bytes) and omissions of a rendered image, a line each.
-[[nodiscard]] std::string explanation_of(const Frame& frame);
+/// `known_from` is said of the passes whose results, and times, were taken over.
+[[nodiscard]] std::string explanation_of(const Frame& frame, const std::string& known_from = "");
+
+/// Whether the results of the passes of that phase were taken over.
+[[nodiscard]] bool is_taken_over(const Frame& frame, Phase phase);
 
 }  // namespace obscura::renderer

@@ -17,6 +17,7 @@
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/app/commands/readme_commands.h"
 #include "tests/analysis/records_for_test.h"
 #include "tests/support/temporary_folder.h"
 
@@ -113,9 +114,9 @@ TEST(PostgresStore, ARoleWithNoMoreRightsThanItNeedsRunsAndOneThatReadsCannotWri
     const auto as = [&](const std::string& role) {
         return fmt::format("postgresql://{}@127.0.0.1:{}/{}", role, server.port(), database);
     };
-    server.execute("CREATE ROLE kiosk LOGIN", database);
-    server.execute("GRANT SELECT, INSERT ON ALL TABLES IN SCHEMA public TO kiosk", database);
-    server.execute("GRANT UPDATE (state, ended_utc) ON sessions TO kiosk", database);
+    const std::vector<std::string> rights = app::readme_blocks("README.md", "sql");
+    ASSERT_EQ(rights.size(), 1U);
+    server.execute(rights[0], database);
     server.execute("CREATE ROLE reader LOGIN", database);
     server.execute("GRANT SELECT ON ALL TABLES IN SCHEMA public TO reader", database);
     { tests::add_completed(*std::make_unique<Store>(as("kiosk"), Store::Access::kReadWrite), 1); }

@@ -157,7 +157,7 @@ TEST(Buffers, AreWrittenBesideTheImageWhereAskedFor) {
     const Study study = study_of_blocks();
     Selection selection;
     selection.buffers = true;
-    selection.pair = "II";
+    selection.condition = "II";
     (void)generate(study, selection, folder.path(), true, buffers_catalogue());
     const renderer::FloatImage image =
         renderer::decode_exr(base::read_file(folder.path() / "II-b.exr"), "II-b.exr");

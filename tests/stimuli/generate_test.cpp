@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "renderer/base/error.h"
@@ -129,7 +130,7 @@ TEST_F(Generate, GoesIntoNoFolderThatHoldsOtherFiles) {
     base::write_file_atomically(folder_ / "photo.png", "mine");
     EXPECT_THROW((void)generate(study_, {}, folder_, true, catalogue()), base::Error);
     fs::remove(folder_ / "photo.png");
-    EXPECT_NO_THROW((void)generate(study_, {.pair = "I"}, folder_, true, catalogue()));
+    EXPECT_NO_THROW((void)generate(study_, {.condition = "I"}, folder_, true, catalogue()));
 }
 
 TEST_F(Generate, MakesTwoImagesAPairAndAManifestThatHolds) {
@@ -329,6 +330,45 @@ TEST_F(Generate, ExplainTellsPassesBuffersAndWhatIsLeftOut) {
     EXPECT_THAT(text, testing::HasSubstr("without light: constant ambient light needs no buffer"));
     EXPECT_THAT(text, testing::HasSubstr("20736 bytes  r32f 96x54"));
     EXPECT_THAT(text, testing::HasSubstr(" ms\n"));
+    EXPECT_THAT(text, testing::HasSubstr("the middle one of up to 4 runs"));
+}
+
+TEST_F(Generate, ExplainTellsOfEqualImagesOnceAndWithWhichImageSharedPassesWereMeasured) {
+    Condition again = study_.conditions[0];
+    again.id = "again";
+    std::swap(again.a, again.b);
+    study_.conditions.push_back(again);
+    const std::string text = explain(study_, {}, true, catalogue());
+    EXPECT_THAT(text, testing::HasSubstr("\nI-a.png, again-b.png: Crytek24"));
+    EXPECT_THAT(text, testing::HasSubstr("\nI-b.png, again-a.png: Blizzard24"));
+    EXPECT_THAT(text, testing::ContainsRegex("pass    geometry +[0-9.]+ ms\n"));
+    EXPECT_THAT(text,
+                testing::ContainsRegex("pass    geometry +[0-9.]+ ms  shared with II-b.png\n"));
+    EXPECT_THAT(text, testing::ContainsRegex("runs    in all +[0-9.]+ .*ms in .*runs?\n  runs    "
+                                             "not shared +[0-9.]+ to [0-9.]+ ms in [234]"));
+}
+
+TEST_F(Generate, ExplainTellsOfEveryImageThePassesAndBuffersThatItHasAlone) {
+    const auto json = nlohmann::json::parse(explain_json(study_, {}, true, catalogue()));
+    ASSERT_EQ(json.size(), 4U);
+    const renderer::HeadlessContext context;
+    StimulusRenderer alone(study_, catalogue());
+    for (const Stimulus& stimulus : stimuli_of(study_)) {
+        const auto told = std::find_if(json.begin(), json.end(), [&](const auto& one) {
+            return one.at("file") == stimulus.file();
+        });
+        ASSERT_NE(told, json.end());
+        const renderer::Frame frame = alone.render(stimulus);
+        std::vector<std::string> passes;
+        for (const auto& pass : told->at("passes")) passes.push_back(pass.at("name"));
+        std::vector<std::string> expected;
+        for (const auto& time : renderer::by_name(frame.times)) expected.push_back(time.name);
+        EXPECT_EQ(passes, expected) << stimulus.file();
+        EXPECT_EQ(told->at("bytes"), frame.plan().bytes());
+        EXPECT_EQ(told->at("everything_bytes"), alone.render_everything(stimulus).plan().bytes());
+        EXPECT_EQ(told->at("left_out").size(), frame.plan().left_out.size());
+        EXPECT_GE(told->at("own_runs_ms").size(), 2U);
+    }
 }
 
 TEST(Png, RoundTripsEveryByte) {

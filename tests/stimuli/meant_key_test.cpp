@@ -85,8 +85,28 @@ TEST(MeantKey, OfAnotherTechniqueIsNamedWithItsTechniques) {
 TEST(OneMistake, IsOneMessageWhereSeveralConditionsNameIt) {
     const std::string message = only_message("scene = \"court\"", "scene = \"cuort\"");
     EXPECT_THAT(message, testing::AllOf(HasSubstr("did you mean \"court\"?"),
-                                        HasSubstr("the same in condition \"two\""),
-                                        HasSubstr("the same in condition \"check\"")));
+                                        HasSubstr("; the same in condition \"two\" (line "),
+                                        HasSubstr("), condition \"check\" (line ")));
+}
+
+TEST(OneMistake, InAKeyOfSeveralSidesListsTheAllowedKeysOnceAndEveryLine) {
+    std::string text = with_all(attentive_text(), "{ technique = \"none\" }",
+                                "{ technique = \"crytek\", sampels = 24 }");
+    text = with_all(text, "radius_m = 0.8", "sampels = 24");
+    EXPECT_THAT(messages_of(text),
+                ElementsAre(testing::AllOf(
+                    HasSubstr("condition \"one\", a: \"sampels\" is an unknown key"),
+                    HasSubstr("did you mean \"samples\"?; the same in condition \"one\", b (line "
+                              "19), condition \"check\", a (line 31)"))));
+}
+
+TEST(OneMistake, InAValueIsOneOnlyWhereTheSameValueWasWritten) {
+    const std::string alike = with_all(with_all(attentive_text(), "samples = 32", "samples = 999"),
+                                       "samples = 64", "samples = 999");
+    EXPECT_THAT(messages_of(alike), testing::SizeIs(1));
+    EXPECT_THAT(messages_of(with_all(alike, "technique = \"none\"",
+                                     "technique = \"crytek\", samples = 998")),
+                testing::SizeIs(2));
 }
 
 TEST(OneMistake, InTheNameOfASceneIsNoMistakeOfItsConditions) {

@@ -35,13 +35,14 @@ TEST(Vocabulary, HasOneKindOfValueForOneOptionWhereverItIs) {
     const std::set<std::string> words{
         "",      "FILE",  "FOLDER", "NUMBER", "N",   "NAME",           "WxH",   "KEY=VALUE", "URL",
         "X,Y,Z", "SCENE", "ID",     "K/N",    "[N]", "FROM:TO[:STEP]", "REASON"};
-    // A file or a folder; a condition's own share.
+    // A file or a folder; a share for one condition or for all.
     const std::set<std::string> differ{"--out", "--share"};
     std::map<std::string, std::string> kinds;
     each_option(made_program().described(), "obscura", [&](const auto& path, const auto& option) {
         EXPECT_FALSE(option.what.empty()) << path;
         EXPECT_THAT(option.what, Not(HasSubstr(" ["))) << path << ": a default in brackets";
         EXPECT_THAT(option.what, Not(HasSubstr("; default"))) << path;
+        EXPECT_THAT(option.what, Not(HasSubstr("truth"))) << path << ": elsewhere the reference";
         const bool is_choice = option.value.find('|') != std::string::npos;
         const bool is_own = option.value.find('=') != std::string::npos;
         EXPECT_TRUE(is_choice || is_own || words.contains(option.value))
@@ -62,6 +63,9 @@ TEST(Vocabulary, TakesTheNamesOfTheVersionBeforeAndSaysTheNewOnes) {
     EXPECT_THAT(measured.err, AllOf(HasSubstr("note: --techniques is now --technique"),
                                     HasSubstr("note: --filters is now --denoise"),
                                     HasSubstr("--technique: \"magic\" is unknown")));
+    EXPECT_THAT(run_program(folder, "render --pair none --out made").err,
+                AllOf(HasSubstr("note: --pair is now --condition"),
+                      HasSubstr("--condition: study jakobsen2010 has no condition \"none\"")));
     const ProgramRun analysed = run_program(folder, "analyze --study-file nowhere.toml --json");
     EXPECT_EQ(analysed.exit_code, 2);
     EXPECT_THAT(analysed.err, AllOf(HasSubstr("note: --study-file is now STUDY"),
@@ -118,7 +122,7 @@ TEST(Outputs, AreNotBegunWhereTheCommandThenRefuses) {
     base::write_file_atomically(folder / "bad.toml", "[study]\n");
     for (const char* words :
          {"analyze --out made/report", "measure --technique magic --out made",
-          "demo bad.toml --out made", "render --pair none --out made", "export --out made",
+          "demo bad.toml --out made", "render --condition none --out made", "export --out made",
           "ao --scene castle --technique none --out made/ao.exr",
           "pack bad.toml --out made/study.zip", "rehearse bad.toml --participants 2 --store made/s",
           "plan bad.toml --participants 2 --preregister made",

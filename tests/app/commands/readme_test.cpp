@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -12,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/log.h"
 #include "tests/app/commands/readme_commands.h"
+#include "tests/support/temporary_folder.h"
 
 namespace obscura::app {
 namespace {
@@ -41,6 +43,52 @@ TEST(Readmes, ShowNoCommandThatTheProgramDoesNotTake) {
         }
     }
     EXPECT_GT(count, 30U);
+}
+
+TEST(Readmes, HaveNoLineToTypeThatNoTestRunsOrStandsInFor) {
+    const std::set<std::string> days{"## A researcher's day", "## An operator's day",
+                                     "## An analyst's day", "## A graphics engineer's day"};
+    std::set<std::string> run;  // by ResearchersDay and EngineersDay
+    for (const std::string& day : days) {
+        for (const std::string& line : readme_lines("README.md", day)) run.insert(line);
+    }
+    std::set<std::string> lines;
+    for (const char* page : kReadmes) {
+        // Laboratory runs what it can of the machine's setting up.
+        if (page == std::string_view("app/README.md")) continue;
+        for (const std::string& line : readme_lines(page)) lines.insert(line);
+    }
+    for (const RunOtherwise& other : kRunOtherwise) {
+        EXPECT_TRUE(lines.contains(std::string(other.line))) << "no page has: " << other.line;
+        run.insert(std::string(other.line));
+    }
+    for (const std::string& line : lines) EXPECT_TRUE(run.contains(line)) << line;
+}
+
+TEST(Laboratory, OfThePageIsWrittenAsPastedAndSystemdAndTheShellTakeIt) {
+    const tests::TemporaryFolder home;
+    const std::vector<std::string> blocks = readme_blocks("app/README.md", "sh");
+    ASSERT_EQ(blocks.size(), 2U);  // the first is root's: packages and users
+    base::write_file_atomically(home / "root", blocks[0]);
+    base::write_file_atomically(home / "lab", blocks[1]);
+    const auto shell = [&](const std::string& command) {
+        const std::string all = "cd '" + home.path().string() + "' && HOME=$PWD && " + command;
+        return std::system(all.c_str());
+    };
+    EXPECT_EQ(shell("bash -n root && bash -e lab"), 0);
+    EXPECT_EQ(shell("bash -n .bash_profile && sh -n .xinitrc"), 0);
+
+    const std::filesystem::path unit = home / ".config/systemd/user/obscura.service";
+    std::string text = base::read_file(unit);
+    const std::string installed = "/usr/bin/obscura";
+    ASSERT_NE(text.find(installed), std::string::npos);
+    text.replace(text.find(installed), installed.size(), OBSCURA_PROGRAM);
+    base::write_file_atomically(unit, text);
+    // It ends with 0 for keys that it ignores, and says so.
+    EXPECT_EQ(shell("if command -v systemd-analyze >said; then systemd-analyze verify --man=no '" +
+                    unit.string() + "' >said 2>&1 || true; else : >said; fi"),
+              0);
+    EXPECT_THAT(base::read_file(home / "said"), testing::Not(testing::HasSubstr(unit.string())));
 }
 
 /// The names that a command knows, and those that every command takes.

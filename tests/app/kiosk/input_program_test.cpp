@@ -14,9 +14,9 @@ namespace obscura::app::kiosk {
 namespace {
 
 using Colour = std::array<int, 3>;
-constexpr Colour kAccent{37, 83, 128};   // of a page's way on
-constexpr Colour kQuiet{190, 192, 194};  // of other buttons
-constexpr Colour kField{244, 244, 245};  // of what is filled in
+constexpr Colour kShownAccent{37, 83, 128};   // of a page's way on
+constexpr Colour kShownQuiet{190, 192, 194};  // of other buttons
+constexpr Colour kShownField{244, 244, 245};  // of what is filled in
 
 /// A row's stretch of one colour.
 struct Band {
@@ -49,7 +49,7 @@ std::vector<Band> runs_of(const stimuli::RgbImage& screen, const Colour& colour,
 /// Clicks the first button of the colour, which the ring around the focus has as well but thinner.
 void click_way_on(Visitor& visitor) {
     constexpr int kThicker = 8;
-    const auto runs = runs_of(visitor.display().screen(), kAccent, 60);
+    const auto runs = runs_of(visitor.display().screen(), kShownAccent, 60);
     const auto button = std::find_if(runs.begin(), runs.end(), [&](const Band& top) {
         return std::any_of(runs.begin(), runs.end(), [&](const Band& below) {
             return below.y == top.y + kThicker && below.left <= top.middle() &&
@@ -101,12 +101,12 @@ TEST(KioskInput, AWholeSessionByMouseAlone) {
     click_way_on(visitor);
     std::vector<Band> fields;
     visitor.await("the form", [&] {
-        fields = runs_of(visitor.display().screen(), kField, 10);
+        fields = runs_of(visitor.display().screen(), kShownField, 10);
         return !fields.empty();
     });
     pause(0.4);
     // The digits 0 to 9 and the arrow back stand in one row; 4, 1, back, 2.
-    const auto quiet = runs_of(visitor.display().screen(), kQuiet, 12);
+    const auto quiet = runs_of(visitor.display().screen(), kShownQuiet, 12);
     ASSERT_GE(quiet.size(), 11U);
     for (const std::size_t key : {4, 1, 10, 2}) {
         EXPECT_EQ(quiet[key].y, quiet[0].y);
