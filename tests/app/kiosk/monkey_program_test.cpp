@@ -60,7 +60,13 @@ TEST(KioskMonkey, RandomInputNeitherLeavesTheKioskNorAnswersTwiceNorShortensTheG
     constexpr int kGrey_ms = 120;
     const ShownStudy shown(40, kGrey_ms, "input_delay_ms = 20\npairs_page = \"next\"\n");
     Visitor visitor(shown);
-    visitor.display().start_window_manager();
+    // As the guide sets up a laboratory's machine: where the kiosk is iconified for a moment, a
+    // click leads to no menu that ends the window manager.
+    const std::string config = (shown.data / "openbox.xml").string();
+    base::write_file_atomically(config,
+                                "<openbox_config xmlns=\"http://openbox.org/3.4/rc\"><keyboard/>"
+                                "<mouse/></openbox_config>\n");
+    visitor.display().start_window_manager(config);
     visitor.start_program();
     visitor.sign_in();
     base::Random random(17);
@@ -84,7 +90,8 @@ TEST(KioskMonkey, RandomInputNeitherLeavesTheKioskNorAnswersTwiceNorShortensTheG
         EXPECT_GE(trial.grey_ms_measured, kGrey_ms);
         shortest_ms = std::min(shortest_ms, trial.grey_ms_measured);
     }
-    EXPECT_GT(trials.size(), 0U) << "it got nowhere";
+    // It takes some 80 events to an answer.
+    EXPECT_GT(trials.size(), static_cast<std::size_t>(wanted / 500)) << "it got stuck";
     std::printf("%d events, %zu sessions, %zu answers, shortest interval %.2f ms of %d\n", wanted,
                 visitor.session_count(), trials.size(), shortest_ms, kGrey_ms);
     visitor.leave();
