@@ -110,10 +110,12 @@ base::ExitCode render(RenderOptions options, const Globals& globals) {
     print_pairs(generated.pairs);
     for (const std::string& warning : generated.warnings) base::log::warn("warning: {}", warning);
     base::log::info(
-        "{}: {} images made{}, {} kept; {}\n", folder.string(), generated.made,
+        "{}: {} images made{}, {} kept; {}", folder.string(), generated.made,
         generated.copied > 0 ? fmt::format(" ({} as copies of equal ones)", generated.copied) : "",
         generated.kept,
-        generated.complete ? "the study is complete" : "the study is not complete yet");
+        generated.complete ? "the study is complete; next: obscura rehearse" +
+                                 (options.study.empty() ? "" : " " + options.study)
+                           : "the study is not complete yet");
     return base::ExitCode::kDone;
 }
 

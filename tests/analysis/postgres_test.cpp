@@ -17,8 +17,8 @@
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "tests/app/commands/readme_commands.h"
 #include "tests/analysis/records_for_test.h"
+#include "tests/app/commands/readme_commands.h"
 #include "tests/support/temporary_folder.h"
 
 namespace obscura::analysis {

@@ -80,6 +80,8 @@ TEST(ResearchersDay, AndTheOthersThatFollowWorkAsPastedWithASceneOfOnesOwn) {
     add_step(folder);
     ASSERT_EQ(run_program(folder, "scene export step.obj --out my-scene.glb").exit_code, 0);
     live(folder, "## A researcher's day", {});
+    EXPECT_THAT(run_program(folder, "render my-study.toml").err,
+                testing::EndsWith("the study is complete; next: obscura rehearse my-study.toml\n"));
     const Apart apart = apart_in(folder / "obscura-data/stimuli/my-study/manifest.json");
     ASSERT_THAT(apart, testing::SizeIs(6));
     for (const auto& [condition, delta_e] : apart) {
