@@ -8,6 +8,8 @@ namespace obscura::app::kiosk {
 namespace {
 
 constexpr int kLeftButton = 0;
+/// Characters nearer to each other come from a scanner, or belong to one word.
+constexpr double kOneBurst_s = 0.1;
 
 [[nodiscard]] bool only_types(const Stroke& stroke) {
     return stroke.character != 0 && stroke.character != U' ';
@@ -74,6 +76,11 @@ bool Input::hand_over(const ButtonChange& change, InputFrame& frame) {
     return true;
 }
 
+bool Input::continues_left_out(const TimedStroke& next) const {
+    return only_types(next.stroke) && !next.stroke.repeats &&
+           next.pressed_s - left_out_s_ < kOneBurst_s;
+}
+
 InputFrame Input::take_frame() {
     InputFrame frame;
     while (!waiting_.empty()) {
@@ -88,7 +95,10 @@ InputFrame Input::take_frame() {
         const bool acts = !only_types(next.stroke);
         if (acts && !frame.strokes.empty()) break;
         waiting_.pop_front();
-        if (next.pressed_s < open_from_s_) continue;
+        if (next.pressed_s < open_from_s_ || continues_left_out(next)) {
+            if (next.stroke.character != 0) left_out_s_ = next.pressed_s;
+            continue;
+        }
         frame.strokes.push_back(next.stroke);
         if (acts) break;
     }

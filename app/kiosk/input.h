@@ -98,6 +98,9 @@ class Input {
         std::optional<PointerPlace> place;
     };
 
+    /// Whether it goes on with what began before the page took input: a code without its first
+    /// letters would be another code.
+    [[nodiscard]] bool continues_left_out(const TimedStroke& next) const;
     /// Whether the page sees it.
     bool hand_over(const ButtonChange& change, InputFrame& frame);
 
@@ -106,6 +109,7 @@ class Input {
     std::map<int, double> key_pressed_s_;
     std::map<int, double> buttons_;  ///< that the page sees as down, and when they went down
     std::optional<PointerPlace> pointer_;
+    double left_out_s_ = kNever;  ///< when the last character was typed that came too early
     bool key_may_type_ = false;   ///< the last stroke may still get its character
     double key_time_s_ = kNever;  ///< press of the last key event
     std::deque<std::variant<TimedStroke, ButtonChange>> waiting_;

@@ -144,7 +144,11 @@ void begin_frame(PageState& page, Keyboard keyboard, float visible_px) {
     page.scroll_px = -ImGui::GetIO().MouseWheel * kScrollStep * ImGui::GetFontSize();
     page.reveal = false;
     if (find_stop(page.stops, page.focus) == nullptr) page.focus = first_focus(page.stops);
-    for (const Stroke& stroke : page.input.strokes) obey(page, stroke, visible_px);
+    for (const Stroke& stroke : page.input.strokes) {
+        obey(page, stroke, visible_px);
+        page.keypad = {};
+        if (stroke.character != 0) page.keyboard_types = true;
+    }
     page.stops_now.clear();
 }
 

@@ -24,6 +24,16 @@ struct FocusStop {
     bool text = false;     ///< takes typing
 };
 
+/// The keys on the screen: below a field that was pressed by mouse or finger, until a keyboard
+/// types.
+struct KeypadState {
+    unsigned field = 0;     ///< Dear ImGui's id of it; 0: no keys
+    bool capitals = false;  ///< for the next letter
+    bool changed = false;   ///< other letters than those that come first
+    bool pressed = false;   ///< one of them, in this frame
+    int frames = 0;         ///< drawn below that field
+};
+
 /// A page's first frame is drawn as often: a card's height is known when it was drawn once, its
 /// scroll bar when twice, and with that its height again.
 inline constexpr int kFirstFrames = 4;
@@ -54,6 +64,8 @@ struct PageState {
     unsigned focus = 0;      ///< the stop where the keyboard is
     bool reveal = false;     ///< scroll until that is in view
     bool focus_next = false;
+    KeypadState keypad;
+    bool keyboard_types = false;  ///< a keyboard has typed on this page
 
     /// As a page that nobody has seen.
     void begin_anew() {

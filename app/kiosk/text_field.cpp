@@ -110,6 +110,9 @@ void text_field(const char* name, TextEntry& entry, float width_px) {
     const SetText& text = typesetter().set(shown, {.text_px = text_px, .colour = ink});
     const float left = left_of_text(text.width_px, caret_px(), room);
     if (ImGui::IsItemActivated()) {
+        // Who types on a keyboard and only points with the mouse has no use for keys.
+        PageState& page = page_state();
+        if (page.keypad.field != id && (here || !page.keyboard_types)) page.keypad = {.field = id};
         entry.move_to(caret_at(entry, ImGui::GetIO().MousePos.x - from.x - padding.x - left));
     }
     (void)end_stop(id, here);

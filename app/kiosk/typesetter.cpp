@@ -165,29 +165,34 @@ void Typesetter::free(const SetText& text) const {
 }
 
 const SetText& Typesetter::set(const std::string& text, const Setting& setting) {
-    uses_.push_back({text, setting.colour});
     const auto [found, is_new] = entries_.try_emplace({text, setting});
     Entry& entry = found->second;
     entry.pages_ago = 0;
-    if (!is_new) return entry.text;
+    if (is_new) entry.text = make(text, setting);
+    const auto& tiles = entry.text.tiles;
+    uses_.push_back({text, setting.colour, tiles.empty() ? 0 : tiles.front().texture});
+    return entry.text;
+}
+
+SetText Typesetter::make(const std::string& text, const Setting& setting) const {
     const LaidOut layout = pango_->lay_out(text, setting);
     PangoRectangle ink;
     PangoRectangle line;
     pango_layout_get_pixel_extents(layout.get(), &ink, &line);
-    entry.text = {static_cast<float>(line.x),
-                  static_cast<float>(line.width),
-                  static_cast<float>(line.height),
-                  {}};
-    if (draws_ == Draws::kNothing || ink.width <= 0) return entry.text;
+    SetText made{static_cast<float>(line.x),
+                 static_cast<float>(line.width),
+                 static_cast<float>(line.height),
+                 {}};
+    if (draws_ == Draws::kNothing || ink.width <= 0) return made;
     for (int top = 0; top < ink.height; top += kTileHeight_px) {
         const PangoRectangle part{ink.x, ink.y + top, ink.width,
                                   std::min(kTileHeight_px, ink.height - top)};
-        entry.text.tiles.push_back(
-            {draw_texture(layout.get(), part, setting.colour), static_cast<float>(part.x - line.x),
-             static_cast<float>(part.y - line.y), static_cast<float>(part.width),
-             static_cast<float>(part.height)});
+        made.tiles.push_back({draw_texture(layout.get(), part, setting.colour),
+                              static_cast<float>(part.x - line.x),
+                              static_cast<float>(part.y - line.y), static_cast<float>(part.width),
+                              static_cast<float>(part.height)});
     }
-    return entry.text;
+    return made;
 }
 
 void Typesetter::forget_unused() {

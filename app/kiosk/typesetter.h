@@ -67,10 +67,11 @@ class Typesetter {
     /// The characters of a text (UTF-8) that no font of this machine draws.
     [[nodiscard]] std::set<char32_t> characters_without_glyph(const std::string& text);
 
-    /// A text that was set, and its colour.
+    /// A text that was set, its colour and its first texture.
     struct Use {
         std::string text;
         unsigned colour = 0;
+        unsigned texture = 0;
     };
     /// Those of the frame since note_uses(), in order.
     [[nodiscard]] const std::vector<Use>& uses() const { return uses_; }
@@ -82,6 +83,7 @@ class Typesetter {
         SetText text;
         int pages_ago = 0;
     };
+    [[nodiscard]] SetText make(const std::string& text, const Setting& setting) const;
     void free(const SetText& text) const;
 
     std::unique_ptr<Pango> pango_;

@@ -63,8 +63,8 @@ void set_style(float text_px) {
     style.FrameBorderSize = 1.0F;
     style.ItemSpacing = {std::round(text_px * 0.6F), std::round(text_px * 0.55F)};
     style.ItemInnerSpacing = {std::round(text_px * 0.45F), std::round(text_px * 0.3F)};
-    style.ScrollbarSize = text_px * 0.7F;
-    style.DisabledAlpha = 1.0F;  // fading would make text too faint to read
+    style.ScrollbarSize = text_px * 1.1F;  // wide enough for a finger
+    style.DisabledAlpha = 1.0F;            // fading would make text too faint to read
     set_colours(style);
 }
 
@@ -254,6 +254,11 @@ void tick(const std::string& label, bool& ticked) {
                                ImGui::GetColorU32(ImGuiCol_CheckMark), mark_px() - 2.0F * pad);
     });
     if (pressed) ticked = !ticked;
+}
+
+std::string marked_required(const std::string& label) {
+    // The star stays with the last word.
+    return label.ends_with('*') ? label : label + "\u00A0*";
 }
 
 void row_text(SideBySide& row, const std::string& text) {

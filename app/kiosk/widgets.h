@@ -59,10 +59,18 @@ class SideBySide {
 [[nodiscard]] bool radio(SideBySide& row, const std::string& label, bool chosen);
 void tick(const std::string& label, bool& ticked);
 
+/// The label of what has to be answered, marked so.
+[[nodiscard]] std::string marked_required(const std::string& label);
+
 /// A text beside a field, the next of a row.
 void row_text(SideBySide& row, const std::string& text);
 /// A line to type in. Characters that no font of the machine draws are shown as a box.
 void text_field(const char* name, TextEntry& entry, float width_px);
+/// Keys on the screen for the field of that name, drawn below it: while it was pressed by mouse or
+/// finger, and no keyboard has typed since. Letters are those of the page's words, of which the
+/// others are a key away where a language is not written in Latin.
+enum class KeypadLetters { kOfLanguage, kLatin };
+void keypad(const char* name, TextEntry& entry, KeypadLetters first = KeypadLetters::kOfLanguage);
 /// Whether text_field() shows a box for some of it.
 [[nodiscard]] bool has_boxes(const TextEntry& entry);
 

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 //
-// Kiosks that share one PostgreSQL, each a thread with simulated participants. Kiosks are killed
-// and connections cut at random, and the server is restarted in the middle. Says how many answers
-// are there once, twice or not at all, how balanced the order is, and how long a commit takes.
-//   kiosks_bench [SESSIONS] [KIOSKS]
+// Kiosks that share one store, each a thread with simulated participants who never wait. Kiosks are
+// killed at random; of a PostgreSQL connections are cut as well, and the server is restarted in the
+// middle. Says how many answers are there once, twice or not at all, how balanced the order is, and
+// how long a commit takes.
+//   kiosks_bench [SESSIONS] [KIOSKS] [postgresql|sqlite] [calm]
+// `calm` kills and cuts nothing. `obscura run` keeps an SQLite store to one kiosk: more of them
+// here show what the store alone would bear.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,6 +45,8 @@ struct Bench {
     stimuli::Manifest manifest = small_manifest(study);
     ChoiceModel choices = choices_from(study, {});
     std::string url;
+    bool on_server = true;
+    bool calm = false;
     std::filesystem::path folder;
     std::atomic<int> sessions_left{0};
     std::atomic<int> kills{0};
@@ -76,8 +81,9 @@ class KioskThread {
   private:
     void start() {
         store_.reset();
-        spool_ = std::make_unique<Spool>(folder_, url_);
         again([&] { store_ = std::make_unique<Store>(url_, Store::Access::kReadWrite); });
+        if (!bench_.on_server) return;
+        spool_ = std::make_unique<Spool>(folder_, url_);
         again([&] {
             if (spool_->waits()) spool_->deliver(*store_);
         });
@@ -135,21 +141,24 @@ class KioskThread {
             events = store_->events_of(session.session_id);
             for (const auto& participant : store_->participants()) {
                 if (participant.participant_id != session.participant_id) continue;
-                spool_->follow(BeginSession{participant, session, {}});
+                if (spool_) spool_->follow(BeginSession{participant, session, {}});
             }
         });
-        for (const TrialRecord& trial : trials) spool_->follow(trial);
+        for (const TrialRecord& trial : trials) {
+            if (spool_) spool_->follow(trial);
+        }
         Procedure procedure(bench_.study,
                             plan_to_resume(bench_.study, bench_.manifest, session, trials, events));
         return observe(procedure, procedure.resume(trials, !trials.empty(), 100.0, moment_now()));
     }
 
     bool observe(Procedure& procedure, std::vector<Row> rows) {
-        Journal inner = journal_to(*store_, bench_.study, procedure, *spool_);
+        Journal inner = spool_ ? journal_to(*store_, bench_.study, procedure, *spool_)
+                               : journal_to(*store_, bench_.study, procedure);
         bool killed = false;
         Journal journal([&](const Row& row) {
-            const bool before = random_.below(400) == 0;
-            const bool after = random_.below(400) == 0;
+            const bool before = !bench_.calm && random_.below(400) == 0;
+            const bool after = !bench_.calm && random_.below(400) == 0;
             killed = before || after;
             if (before) throw std::runtime_error("killed");
             inner.add({row});
@@ -238,14 +247,27 @@ void report(Bench& bench, double took_s) {
         times.back());
 }
 
-int run(int sessions, int kiosks) {
+/// A server whose database the kiosks share; none: an SQLite store.
+tests::PostgresServer* open_store(Bench& bench) {
+    if (!bench.on_server) {
+        bench.url = "sqlite3://" + (bench.folder / "responses.sqlite").string();
+        return nullptr;
+    }
     tests::PostgresServer& server = tests::PostgresServer::shared();
-    Bench bench;
     bench.url = server.new_database();
     // The tests' server does not wait for its disk, that of a laboratory does.
     server.execute("ALTER SYSTEM SET fsync = on");
     server.execute("SELECT pg_reload_conf()");
+    return &server;
+}
+
+int run(int sessions, int kiosks, bool on_server, bool calm) {
+    Bench bench;
+    bench.on_server = on_server;
+    bench.calm = calm;
     bench.folder = std::filesystem::temp_directory_path() / unique_id("obscura-kiosks-bench");
+    std::filesystem::create_directories(bench.folder);
+    tests::PostgresServer* const server = open_store(bench);
     bench.sessions_left = sessions;
     { const Store made(bench.url, Store::Access::kReadWrite); }
     std::atomic<bool> done{false};
@@ -263,11 +285,13 @@ int run(int sessions, int kiosks) {
         done = true;
     });
     // Here, because the server ends with the thread that started it.
-    disturb(server, bench.url.substr(bench.url.rfind('/') + 1), bench, sessions, done, cuts,
-            restarts);
+    if (server != nullptr && !calm) {
+        disturb(*server, bench.url.substr(bench.url.rfind('/') + 1), bench, sessions, done, cuts,
+                restarts);
+    }
     all.join();
-    fmt::print("{} kiosks, {} kills, {} connections cut, {} restarts of the server\n", kiosks,
-               bench.kills.load(), cuts, restarts);
+    fmt::print("{} kiosks on {}, {} kills, {} connections cut, {} restarts of the server\n", kiosks,
+               on_server ? "PostgreSQL" : "SQLite", bench.kills.load(), cuts, restarts);
     report(bench, took_s);
     std::filesystem::remove_all(bench.folder);
     return 0;
@@ -279,5 +303,12 @@ int run(int sessions, int kiosks) {
 int main(int count, char** arguments) {
     const int sessions = count > 1 ? std::atoi(arguments[1]) : 1000;
     const int kiosks = count > 2 ? std::atoi(arguments[2]) : 10;
-    return obscura::app::kiosk::run(std::max(1, sessions), std::max(1, kiosks));
+    const std::string store = count > 3 ? arguments[3] : "postgresql";
+    const std::string manner = count > 4 ? arguments[4] : "";
+    if ((store != "postgresql" && store != "sqlite") || (!manner.empty() && manner != "calm")) {
+        fmt::print(stderr, "kiosks_bench [SESSIONS] [KIOSKS] [postgresql|sqlite] [calm]\n");
+        return 2;
+    }
+    return obscura::app::kiosk::run(std::max(1, sessions), std::max(1, kiosks),
+                                    store == "postgresql", manner == "calm");
 }

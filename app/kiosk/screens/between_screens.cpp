@@ -53,7 +53,7 @@ std::optional<Event> break_screen(const Fonts& fonts, const Progress& at, double
         },
         [&] {
             if (left > 0) {
-                hint(fonts, words()("break_wait", {{"seconds", std::to_string(left)}}));
+                paragraph(words()("break_wait", {{"seconds", std::to_string(left)}}));
             } else {
                 event = went_on();
             }

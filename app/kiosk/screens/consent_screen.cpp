@@ -38,7 +38,7 @@ std::optional<Event> consent_screen(const Fonts& fonts, const stimuli::Consent& 
                 paragraph(consent.text);
                 gap(0.2F);
             }
-            hint(fonts, words()("consent_items_hint"));
+            paragraph(words()("consent_items_hint"));
             for (std::size_t i = 0; i < consent.items.size(); ++i) {
                 gap(0.2F);
                 ImGui::PushID(static_cast<int>(i));

@@ -6,6 +6,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 
 #include "app/kiosk/screens.h"
@@ -60,7 +62,18 @@ void some_of(const std::vector<std::string>& texts, FieldDraft& draft) {
     for (std::size_t i = 0; i < texts.size(); ++i) tick(texts[i], draft.ticked[i]);
 }
 
-void entry_field(const Fonts& fonts, const FormField& field, FieldDraft& draft) {
+void code_button(SideBySide& row, TextEntry& entry, const std::vector<std::string>& known_codes) {
+    const std::string label = words()("make_code");
+    const float width = std::ceil(text_width(label)) + times_text(2.0F);
+    row.next(width);
+    if (!wide_button(label, width, 0.0F, false)) return;
+    entry = TextEntry(stimuli::kLongestFieldText);
+    for (const char letter : make_code(known_codes)) entry.type(static_cast<char32_t>(letter));
+}
+
+void entry_field(
+    const Fonts& fonts, const FormField& field, FieldDraft& draft,
+    const std::function<void(SideBySide&)>& beside = [](SideBySide& /*row*/) {}) {
     const bool number = field.kind == FieldKind::kNumber;
     SideBySide row(ImGui::GetStyle().ItemSpacing.x);
     const float room = ImGui::GetContentRegionAvail().x;
@@ -70,6 +83,11 @@ void entry_field(const Fonts& fonts, const FormField& field, FieldDraft& draft) 
     row.next(width);
     text_field("##entry", draft.entry, width);
     if (number && !field.unit.empty()) row_text(row, field.unit);
+    beside(row);
+    if (!number) {
+        keypad("##entry", draft.entry,
+               field.kind == FieldKind::kCode ? KeypadLetters::kLatin : KeypadLetters::kOfLanguage);
+    }
     notes_on_entry(fonts, draft.entry);
 }
 
@@ -96,7 +114,7 @@ void digits_for(const FormField& field, FieldDraft& draft) {
 
 void draw_field(const Fonts& fonts, const FormField& field, FieldDraft& draft,
                 const std::vector<std::string>& known_codes) {
-    paragraph(field.label);
+    paragraph(field.required ? marked_required(field.label) : field.label);
     if (std::exchange(draft.to_fill, false)) focus_next();
     switch (field.kind) {
         case FieldKind::kChoice:
@@ -116,13 +134,9 @@ void draw_field(const Fonts& fonts, const FormField& field, FieldDraft& draft,
             entry_field(fonts, field, draft);
             break;
         case FieldKind::kCode:
-            entry_field(fonts, field, draft);
-            if (field.generate && quiet_button(words()("make_code"))) {
-                draft.entry = TextEntry(stimuli::kLongestFieldText);
-                for (const char letter : make_code(known_codes)) {
-                    draft.entry.type(static_cast<char32_t>(letter));
-                }
-            }
+            entry_field(fonts, field, draft, [&](SideBySide& row) {
+                if (field.generate) code_button(row, draft.entry, known_codes);
+            });
             break;
     }
 }
@@ -153,6 +167,10 @@ FieldAnswer answer_in(const FormField& field, const FieldDraft& draft) {
 void draw_fields(const Fonts& fonts, const std::vector<FormField>& fields, FormDraft& draft,
                  const std::vector<std::string>& known_codes) {
     draft.fields.resize(fields.size());
+    if (std::any_of(fields.begin(), fields.end(), [](const auto& one) { return one.required; })) {
+        hint(fonts, words()("required_note"));
+        gap(0.2F);
+    }
     for (std::size_t i = 0; i < fields.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         draw_field(fonts, fields[i], draft.fields[i], known_codes);

@@ -54,7 +54,7 @@ void number_pad(SideBySide& row, FormDraft& draft) {
 
 void age_field(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     SideBySide row(ImGui::GetStyle().ItemSpacing.x);
-    row_text(row, words()("age"));
+    row_text(row, marked_required(words()("age")));
     focus_if_wanted(draft, FormDraft::ToFill::kAge);
     const float width = times_text(3.5F);
     row.next(width);
@@ -84,10 +84,13 @@ void gender_field(const Fonts& fonts, FormDraft& draft) {
     if (own_words) draft.to_fill = FormDraft::ToFill::kOwnWords;
     focus_if_wanted(draft, FormDraft::ToFill::kOwnWords);
     text_field("##gender", draft.own_words, ImGui::GetContentRegionAvail().x);
+    keypad("##gender", draft.own_words);
     notes_on(fonts, draft.own_words);
 }
 
 void kiosks_questions(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
+    hint(fonts, words()("required_note"));
+    gap(0.2F);
     age_field(fonts, draft, problems);
     gap(0.2F);
     gender_field(fonts, draft);
@@ -100,7 +103,7 @@ void kiosks_questions(const Fonts& fonts, FormDraft& draft, const FormProblems& 
 
 void consent_tick(const Fonts& fonts, FormDraft& draft, const FormProblems& problems) {
     focus_if_wanted(draft, FormDraft::ToFill::kConsent);
-    tick(words()("consent"), draft.consent);
+    tick(marked_required(words()("consent")), draft.consent);
     hint(fonts, words()("consent_hint"));
     if (draft.submitted && problems.consent) complaint(words()("consent_problem"));
 }

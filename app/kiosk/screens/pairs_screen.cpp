@@ -66,7 +66,7 @@ struct Grid {
 
 void head(const Fonts& fonts, const Progress& at) {
     heading(fonts, words()(at.practice ? "practice" : "pairs"));
-    if (at.practice) hint(fonts, words()("practice_hint"));
+    if (at.practice) paragraph(words()("practice_hint"));
     hint(fonts, words()(at.pair == 0 ? "first_pair_hint" : "next_pair_hint"));
     gap(0.4F);
 }

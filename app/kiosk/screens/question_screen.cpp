@@ -50,7 +50,7 @@ void image_buttons(const stimuli::Study& study, const AskedPage& page, bool with
 }
 
 /// A scale whose ends have a name: a row of numbers.
-void number_buttons(const Fonts& fonts, const stimuli::Study& study, const AskedPage& page,
+void number_buttons(const stimuli::Study& study, const AskedPage& page,
                     std::optional<Event>& event) {
     const int count = page.answer_count();
     const float space = std::floor(ImGui::GetFontSize() * 0.4F);
@@ -67,7 +67,6 @@ void number_buttons(const Fonts& fonts, const stimuli::Study& study, const Asked
             event = pressed(page, answer);
         }
     }
-    ImGui::PushFont(fonts.small);
     const std::string low = label_of(study, page, 0);
     const std::string high = label_of(study, page, count - 1);
     const float taken = std::ceil(text_width(low)) + std::ceil(text_width(high));
@@ -80,7 +79,6 @@ void number_buttons(const Fonts& fonts, const stimuli::Study& study, const Asked
         paragraph(fmt::format("{} = {}", page.question->min, low));
         paragraph(fmt::format("{} = {}", page.question->max, high));
     }
-    ImGui::PopFont();
 }
 
 /// A scale with a text for each step: one below the other.
@@ -112,12 +110,13 @@ std::optional<Event> question_screen(const Fonts& fonts, const stimuli::Study& s
         hint(fonts,
              words()(at.practice ? "practice_pair_of" : "pair_of",
                      {{"pair", std::to_string(at.pair + 1)}, {"count", std::to_string(at.count)}}));
-        if (page.image != 0) paragraph(name_of_image(study, page.image));
+        // Nothing else tells the page of the second image from that of the first.
+        if (page.image != 0) heading(fonts, name_of_image(study, page.image));
         heading(fonts, page.question == nullptr ? study.question : page.question->text);
         if (has_step_texts(page)) step_buttons(study, page, event);
     };
     const auto foot = [&] {
-        if (is_scale && !has_step_texts(page)) number_buttons(fonts, study, page, event);
+        if (is_scale && !has_step_texts(page)) number_buttons(study, page, event);
         if (!is_scale) image_buttons(study, page, !plain, event);
         gap(0.3F);
         const char* const usual = beside ? "question_hint_beside" : "question_hint";

@@ -41,6 +41,21 @@ TEST(Input, APageSeesOnlyKeysThatWentDownSinceItTakesInput) {
     EXPECT_EQ(typed(input), U"b");
 }
 
+TEST(Input, ACodeThatAScannerTypesWhileThePageOpensIsLeftOutWhole) {
+    Input input;
+    input.open_at(10.0);
+    const std::u32string code = U"K7TEST";
+    const auto scan = [&](double from_s) {
+        for (std::size_t i = 0; i < code.size(); ++i) {
+            type(input, kA, code[i], from_s + 0.02 * static_cast<double>(i));
+        }
+    };
+    scan(9.95);
+    EXPECT_EQ(typed(input), U"");
+    scan(11.0);
+    EXPECT_EQ(typed(input), code) << "scanned again it is there";
+}
+
 TEST(Input, TheRepeatsOfAKeyHeldOverFromThePageBeforeTypeNothing) {
     Input input;
     type(input, kA, U'a', 9.0);

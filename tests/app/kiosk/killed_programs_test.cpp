@@ -117,7 +117,7 @@ class KilledPrograms : public testing::Test {
 
 TEST_F(KilledPrograms, KeepEachAnswerThatWasSavedOnceAndEverySessionGoesOn) {
     const char* const asked = std::getenv("OBSCURA_KILLS");
-    const int kills = asked == nullptr ? 25 : std::atoi(asked);
+    const int kills = asked == nullptr ? 200 : std::atoi(asked);
     base::Random random(5);
     for (int run = 0; run < kills; ++run) {
         kill_after(run, random.below(20));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "renderer/base/random.h"
@@ -47,11 +48,25 @@ std::vector<std::string> some_events(base::Random& random) {
     return command;
 }
 
+/// Whether every session that began is over, so that only the operator goes on.
+bool all_are_over(const Visitor& visitor) {
+    const auto sessions = visitor.store().sessions();
+    return std::all_of(sessions.begin(), sessions.end(), [](const auto& session) {
+        return session.state == analysis::SessionState::kCompleted;
+    });
+}
+
 TEST(KioskMonkey, RandomInputNeitherLeavesTheKioskNorAnswersTwiceNorShortensTheGrey) {
     constexpr int kGrey_ms = 120;
     const ShownStudy shown(40, kGrey_ms, "input_delay_ms = 20\npairs_page = \"next\"\n");
     Visitor visitor(shown);
-    visitor.display().start_window_manager();
+    // As the guide sets up a laboratory's machine: where the kiosk is iconified for a moment, a
+    // click leads to no menu that ends the window manager.
+    const std::string config = (shown.data / "openbox.xml").string();
+    base::write_file_atomically(config,
+                                "<openbox_config xmlns=\"http://openbox.org/3.4/rc\"><keyboard/>"
+                                "<mouse/></openbox_config>\n");
+    visitor.display().start_window_manager(config);
     visitor.start_program();
     visitor.sign_in();
     base::Random random(17);
@@ -63,16 +78,22 @@ TEST(KioskMonkey, RandomInputNeitherLeavesTheKioskNorAnswersTwiceNorShortensTheG
         }
         if (random.below(8) == 0) visitor.display().ask_windows_to_close();
         ASSERT_TRUE(visitor.runs()) << visitor.said();
+        if (all_are_over(visitor)) visitor.next_participant();
     }
     const auto trials = visitor.store().trials();
-    std::set<std::string> answered;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        EXPECT_EQ(trials[i].trial_index, static_cast<int>(i));
-        EXPECT_TRUE(answered.insert(trials[i].condition).second) << "answered twice";
-        EXPECT_GE(trials[i].grey_ms_measured, kGrey_ms);
+    std::map<std::string, std::set<std::string>> answered;
+    double shortest_ms = 1e9;
+    for (const auto& trial : trials) {
+        auto& conditions = answered[trial.session_id];
+        EXPECT_EQ(trial.trial_index, static_cast<int>(conditions.size()));
+        EXPECT_TRUE(conditions.insert(trial.condition).second) << "answered twice";
+        EXPECT_GE(trial.grey_ms_measured, kGrey_ms);
+        shortest_ms = std::min(shortest_ms, trial.grey_ms_measured);
     }
-    EXPECT_GT(trials.size(), 0U) << "it got nowhere";
-    std::printf("%d events, %zu answers\n", wanted, trials.size());
+    // It takes some 80 events to an answer.
+    EXPECT_GT(trials.size(), static_cast<std::size_t>(wanted / 500)) << "it got stuck";
+    std::printf("%d events, %zu sessions, %zu answers, shortest interval %.2f ms of %d\n", wanted,
+                visitor.session_count(), trials.size(), shortest_ms, kGrey_ms);
     visitor.leave();
 }
 

@@ -146,8 +146,10 @@ stimuli::RgbImage VirtualDisplay::screen() const {
 
 void VirtualDisplay::tool(const std::vector<std::string>& command) const { run(command); }
 
-void VirtualDisplay::start_window_manager() {
-    manager_ = ChildProcess({"openbox"}, -1, "");
+void VirtualDisplay::start_window_manager(const std::string& config) {
+    std::vector<std::string> command{"openbox"};
+    if (!config.empty()) command.insert(command.end(), {"--config-file", config});
+    manager_ = ChildProcess(command, -1, "");
     const Connection connection = connect();
     const Atom sign = XInternAtom(connection.get(), "_NET_SUPPORTING_WM_CHECK", False);
     for (int i = 0; i < 2000; ++i) {

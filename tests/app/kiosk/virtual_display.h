@@ -49,8 +49,9 @@ class VirtualDisplay {
     void hold(const std::string& key, double seconds) const;
     /// Runs a tool that talks to the display (xdotool, xrandr, setxkbmap) and waits for its end.
     void tool(const std::vector<std::string>& command) const;
-    /// Openbox, which takes part in where windows are and which has the keys.
-    void start_window_manager();
+    /// Openbox, which takes part in where windows are and which has the keys. An empty `config`:
+    /// with its usual keys and menus, of which one ends it.
+    void start_window_manager(const std::string& config = "");
     /// Asks every window to close, as a window manager does (WM_DELETE_WINDOW).
     void ask_windows_to_close() const;
 

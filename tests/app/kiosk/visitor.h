@@ -112,20 +112,34 @@ class Visitor {
 
     /// Start page, form and instructions; ends on the page of pairs.
     void sign_in() {
+        const std::size_t before = session_count();
         press_until("Return", "the form", [this] { return sees_form(); });
         settle();
         // The first keys may be lost. Continue takes the keyboard to what is still to be filled in.
         std::vector<std::string> keys(5, "BackSpace");
         for (const char* key : {"2", "9", "Return", "space", "Return"}) keys.emplace_back(key);
-        for (double waited_s = 0.0; !has_session(); waited_s += kAgain_s) {
+        const auto begun = [this, before] { return session_count() > before; };
+        for (double waited_s = 0.0; !begun(); waited_s += kAgain_s) {
             if (waited_s >= kPatience_s) give_up("a session");
             display_.keys(keys);
-            (void)wait_for([this] { return has_session(); }, kAgain_s);
+            (void)wait_for(begun, kAgain_s);
         }
         settle();
+        const auto read = static_cast<long>(before) + 1;
         press_until("Return", "the end of the instructions",
-                    [this] { return count_events("instructions read") == 1; });
+                    [this, read] { return count_events("instructions read") == read; });
         settle();
+    }
+    /// From the thanks to the page of pairs of the participant after.
+    void next_participant() {
+        for (double waited_s = 0.0; !sees_form(); waited_s += kAgain_s) {
+            if (waited_s >= kPatience_s) give_up("the next participant's form");
+            press("ctrl+shift+n");
+            settle();
+            press("Return");
+            (void)wait_for([this] { return sees_form(); }, kAgain_s);
+        }
+        sign_in();
     }
 
     /// Presses the next pair's button until an image is there; gives the image's hash.
@@ -199,10 +213,11 @@ class Visitor {
     }
 
     [[nodiscard]] Store store() const { return {shown_.store_url(), Store::Access::kReadOnly}; }
-    [[nodiscard]] bool has_session() const {
-        return std::filesystem::exists(shown_.data / "responses.sqlite") &&
-               !store().sessions().empty();
+    [[nodiscard]] std::size_t session_count() const {
+        if (!std::filesystem::exists(shown_.data / "responses.sqlite")) return 0;
+        return store().sessions().size();
     }
+    [[nodiscard]] bool has_session() const { return session_count() > 0; }
     [[nodiscard]] std::string said() const { return base::read_file(log()); }
     /// How often the program said that.
     [[nodiscard]] int times_said(const std::string& text) const {
