@@ -76,7 +76,7 @@ Mesh bush(std::uint64_t seed, int leaves, float radius) {
         const vec3 out(flat * std::sin(turn), height, flat * std::cos(turn));
         const float far_out = draw(random, 0.45F, 1.0F);
         const vec3 centre =
-            vec3(0.0F, radius * 0.95F, 0.0F) + out * radius * far_out * vec3(1.0F, 1.1F, 1.0F);
+            vec3(0.0F, radius * 0.85F, 0.0F) + out * radius * far_out * vec3(1.0F, 1.1F, 1.0F);
         const Mesh leaf = blade(LeafKind::kOval, draw(random, 0.13F, 0.21F),
                                 draw(random, 0.075F, 0.115F), draw(random, 0.3F, 1.3F), 0.2F, 4);
         Placement placement;
@@ -90,6 +90,23 @@ Mesh bush(std::uint64_t seed, int leaves, float radius) {
         append(plant, leaf, placement);
     }
     return plant;
+}
+
+/// What a bush's leaves grow on: shoots from the soil into the ball.
+Mesh shoots_of_bush(std::uint64_t seed, float radius) {
+    base::Random random(seed);
+    constexpr int kShoots = 9;
+    Mesh shoots;
+    for (int i = 0; i < kShoots; ++i) {
+        const float turn = 2.399963F * static_cast<float>(i) + draw(random, -0.4F, 0.4F);
+        const vec3 out(std::sin(turn), 0.0F, std::cos(turn));
+        const float spread = radius * draw(random, 0.2F, 0.6F);
+        const std::vector<vec3> path{out * (0.03F + 0.25F * spread) - vec3(0.0F, 0.06F, 0.0F),
+                                     out * 0.55F * spread + vec3(0.0F, 0.4F * radius, 0.0F),
+                                     out * spread + vec3(0.0F, 0.95F * radius, 0.0F)};
+        append(shoots, sweep(circle(0.009F, 6), frames_along(path, vec3(-out.z, 0.0F, out.x))));
+    }
+    return shoots;
 }
 
 /// Shoots that trail down a wall from the origin (the wall is at z < 0), thinning out downwards.
@@ -263,8 +280,9 @@ void put_planter(Site& site, vec3 foot, bool stone, int plant, std::uint32_t see
     if (plant == 0) {
         site.put_mapped(Surface::kLeaf, palm(seed, 46, stone ? 1.35F : 1.05F), crown);
     } else {
-        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 310 : 230, stone ? 0.46F : 0.36F),
-                        crown);
+        const float radius = stone ? 0.46F : 0.36F;
+        site.put_mapped(Surface::kLeaf, bush(seed, stone ? 310 : 230, radius), crown);
+        site.put(Surface::kWood, shoots_of_bush(seed, radius), crown, seed, vec3(0.55F));
     }
 }
 
