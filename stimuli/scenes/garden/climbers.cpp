@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <span>
 
 #include "stimuli/scenes/garden/parts.h"
 #include "stimuli/scenes/support/noise.h"
@@ -20,15 +22,23 @@ float ivy_cover(float x, float y, std::uint32_t seed) {
 }
 
 /// Ivy on a wall in the plane z = 0: stems that climb from the ground, leaves thick where it
-/// covers the wall, each hanging by its stalk with its face turned outwards.
-void put_ivy(Assembly& garden, const glm::mat4& place, float length, int leaves,
-             std::uint32_t seed) {
+/// covers the wall, each hanging by its stalk with its face turned outwards. None where a pier
+/// stands before the wall, at `piers`: it would stick out of the bricks.
+void put_ivy(Assembly& garden, const glm::mat4& place, float length, int leaves, std::uint32_t seed,
+             std::span<const float> piers) {
+    const auto meets_pier = [piers](float x, float room) {
+        return std::any_of(piers.begin(), piers.end(),
+                           [x, room](float pier) { return std::abs(x - pier) < kPierHalf + room; });
+    };
+    constexpr float kStem = 0.012F;
+    constexpr float kLeaf = 0.06F;
     base::Random random(seed);
     for (int i = 0; i < 60; ++i) {
         const float x = draw(random, 0.1F, length - 0.1F);
         std::vector<vec3> stem;
         vec2 at(x, 0.04F);
         for (int k = 0; k < 26; ++k) {
+            if (meets_pier(at.x, kStem)) break;
             if (k > 3 && ivy_cover(at.x, at.y, seed) < -0.12F) break;
             stem.emplace_back(at.x, at.y, 0.008F);
             at += vec2(
@@ -50,7 +60,7 @@ void put_ivy(Assembly& garden, const glm::mat4& place, float length, int leaves,
         const float x = draw(random, 0.0F, length);
         const float y = draw(random, 0.05F, kWallHigh + 0.16F);
         const float cover = ivy_cover(x, y, seed);
-        if (cover < 0.0F) continue;
+        if (cover < 0.0F || meets_pier(x, kLeaf)) continue;
         ++put;
         const float deep = std::min(0.16F, 0.03F + 0.25F * cover);
         const float far_out = draw(random, 0.15F, 1.0F);
@@ -126,9 +136,10 @@ Mesh card(float length_m, float width_m, float bend_rad, float fold, int rows, i
 }
 
 void build_climbers(Assembly& garden) {
-    put_ivy(garden, moved(kSideX, 0.0F, kWallZ), kRight - kSideX, 7200, 101U);
+    const std::array<float, 2> piers{kPierX[0] - kSideX, kPierX[1] - kSideX};
+    put_ivy(garden, moved(kSideX, 0.0F, kWallZ), kRight - kSideX, 7200, 101U, piers);
     put_ivy(garden, moved(kSideX, 0.0F, kFront) * about_y(glm::half_pi<float>()), kFront - kWallZ,
-            4200, 103U);
+            4200, 103U, {});
     put_trees(garden);
 }
 

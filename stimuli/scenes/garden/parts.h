@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include <glm/glm.hpp>
 #include <span>
 
@@ -17,6 +19,9 @@ inline constexpr float kSideX = -3.9F;
 inline constexpr float kRight = 6.2F;
 inline constexpr float kFront = 6.0F;
 inline constexpr float kWallHigh = 2.25F;
+/// Where the wall along x has piers, and half of how wide they are.
+inline constexpr std::array kPierX{2.45F, -1.15F};
+inline constexpr float kPierHalf = 0.225F;
 inline constexpr float kBedFront = -1.35F;  ///< where the bed ends and the path begins
 inline constexpr float kPathFront = 0.75F;  ///< where the path ends and the lawn begins
 

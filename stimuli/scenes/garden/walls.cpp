@@ -114,8 +114,8 @@ void build_walls(Assembly& garden) {
     put_wall(garden, moved(kSideX, 0.0F, kWallZ), kRight - kSideX, 1000U);
     put_wall(garden, moved(kSideX, 0.0F, kFront) * about_y(glm::half_pi<float>()), kFront - kWallZ,
              2000U);
-    put_pier(garden, moved(2.45F, 0.0F, kWallZ), 3000U);
-    put_pier(garden, moved(-1.15F, 0.0F, kWallZ), 3100U);
+    put_pier(garden, moved(kPierX[0], 0.0F, kWallZ), 3000U);
+    put_pier(garden, moved(kPierX[1], 0.0F, kWallZ), 3100U);
 }
 
 }  // namespace obscura::stimuli::garden
