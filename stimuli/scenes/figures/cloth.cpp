@@ -65,7 +65,7 @@ ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region) {
 }
 
 void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
-              const glm::vec3& knee, const glm::vec2& toe, float scale, float shaft_m,
+              const glm::vec3& knee, const glm::vec2& toe, float scale, const Shaft& shaft,
               const glm::vec3& colour) {
     const glm::vec2 way = glm::normalize(toe);
     const Placed at{person(ankle.x, 0.0F, ankle.z),
@@ -79,8 +79,9 @@ void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
         const glm::vec3 p = ankle + (knee - ankle) * ((high_m - ankle.y) / (knee.y - ankle.y));
         return person(p.x, p.y, p.z - behind_m);
     };
-    leather.add(tube(make_curve({{on_shin(shaft_m, 0.012F), scale * 0.066F, 0.0F},
-                                 {on_shin(0.5F * (shaft_m + 0.15F), 0.010F), scale * 0.060F, 0.0F},
+    leather.add(tube(make_curve({{on_shin(shaft.high_m, 0.012F), shaft.radius_m, 0.0F},
+                                 {on_shin(0.5F * (shaft.high_m + 0.15F), 0.010F),
+                                  0.5F * (shaft.radius_m + scale * 0.054F), 0.0F},
                                  {on_shin(scale * 0.15F, 0.006F), scale * 0.051F, 0.0F},
                                  knot(0, 0.10F, -0.004F, 0.045F),
                                  knot(0, 0.06F, -0.010F, 0.040F)},

@@ -116,10 +116,16 @@ struct FoldCentre {
 /// pockets.
 [[nodiscard]] ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region);
 
-/// Where a boot stands, which way its toe points in the ground plane, and the knee that its shaft,
-/// `shaft_m` long, slants towards.
+/// Of a boot: how high its shaft ends above the ground, and its radius there.
+struct Shaft {
+    float high_m;
+    float radius_m;
+};
+
+/// `ankle` is where a boot stands, `toe` which way it points in the ground plane, `knee` what its
+/// shaft slants towards.
 void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
-              const glm::vec3& knee, const glm::vec2& toe, float scale, float shaft_m,
+              const glm::vec3& knee, const glm::vec2& toe, float scale, const Shaft& shaft,
               const glm::vec3& colour);
 
 [[nodiscard]] Figure make_man(const Placed& place);

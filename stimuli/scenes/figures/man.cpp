@@ -333,9 +333,11 @@ Figure make_man(const Placed& at) {
     add_trousers(man, at);
     add_harness(man, at, core);
     Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, 0.255F,
+    // So low and narrow that no fold of the trousers over it lets it through.
+    constexpr Shaft kShaft{0.215F, 0.054F};
+    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
              kLeatherColour * 0.9F);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, 0.255F, kLeatherColour * 0.9F);
+    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft, kLeatherColour * 0.9F);
     add_hands(man, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(0.16F, -0.02F, 1.0F));
     const Placed head{at(0.0F, 1.680F, 0.030F),

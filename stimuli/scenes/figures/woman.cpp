@@ -299,9 +299,10 @@ Figure make_woman(const Placed& at) {
     add_vest(woman, at, core);
     add_trousers(woman, at);
     add_belt(woman, at);
+    constexpr Shaft kShaft{0.33F, 0.0607F};
     Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, 0.33F, kLeatherColour);
+    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
     add_arms(woman, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(-0.16F, 0.0F, 1.0F));
     const Placed head{at(0.0F, 1.578F, 0.026F),
