@@ -33,7 +33,10 @@ void AnswerTable::rename(const std::unordered_map<std::uint32_t, std::uint32_t>&
 
 void AnswerTable::add(const SessionRecord& session) {
     const std::uint32_t name = names.number_of(session.session_id);
-    session_places_.emplace(name, static_cast<std::uint32_t>(sessions.size()));
+    if (session_places_.size() <= name) session_places_.resize(name + 1, kNowhere);
+    if (session_places_[name] == kNowhere) {
+        session_places_[name] = static_cast<std::uint32_t>(sessions.size());
+    }
     // Most sessions share all but their names with the one before.
     const SessionEntry last = sessions.empty() ? SessionEntry() : sessions.back();
     sessions.push_back({name, names.number_of(session.participant_id),
@@ -63,10 +66,11 @@ std::uint32_t AnswerTable::place_of(const TrialRecord& trial) {
 void AnswerTable::add(const TrialRecord& trial) {
     // Most trials are of the session of the one before.
     last_session_ = names.number_of(trial.session_id, last_session_);
-    const auto session = session_places_.find(last_session_);
-    if (session == session_places_.end()) return;
+    const bool is_known =
+        last_session_ < session_places_.size() && session_places_[last_session_] != kNowhere;
+    if (!is_known) return;
     AnswerEntry answer;
-    answer.session = session->second;
+    answer.session = session_places_[last_session_];
     answer.condition = place_of(trial);
     answer.repeats = names.number_of(trial.repeats);
     answer.trial_index = trial.trial_index;

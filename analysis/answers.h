@@ -104,11 +104,12 @@ class AnswerTable {
     void add(const TrialRecord& trial);
 
   private:
+    static constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
     std::uint32_t place_of(const TrialRecord& trial);
 
     std::unordered_map<ConditionEntry, std::uint32_t, ConditionHash> condition_places_;
-    std::unordered_map<std::uint32_t, std::uint32_t> session_places_;  ///< by name, of records
-    std::uint32_t last_session_ = 0;                                   ///< name of a trial's
+    std::vector<std::uint32_t> session_places_;  ///< of records, by name; kNowhere: none
+    std::uint32_t last_session_ = 0;             ///< name of a trial's
     /// The place of what each condition showed last, by its id.
     std::unordered_map<std::uint32_t, std::uint32_t> last_places_;
 };

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <future>
 
 #include "analysis/conclusions/hypotheses.h"
 #include "analysis/conclusions/model_check.h"
@@ -102,7 +103,9 @@ Analysis analyse_all(Tally tally, const AnalysisOptions& options) {
     analysis.look = look_of(analysis.tally);
     analysis.hypotheses = test_hypotheses(analysis.conditions, analysis.family);
     analysis.validity = test_validity(analysis.tally, analysis.family);
-    analysis.scales = variant_scales(analysis.tally);
+    // Beside what follows: of many answers it takes as long as all of that.
+    auto scales =
+        std::async(std::launch::async, [&analysis] { return variant_scales(analysis.tally); });
     const Possible<OrderVotes>& order = analysis.tally.order;
     if (order.has_value()) {
         analysis.order_bias = OrderBias{*order, exact_binomial(order->second_chosen, order->n),
@@ -119,6 +122,7 @@ Analysis analyse_all(Tally tally, const AnalysisOptions& options) {
         analyse_participants(analysis);
     }
     infer_pooled_shares(analysis.hypotheses, analysis.tally);
+    analysis.scales = scales.get();
     analysis.has_model = options.model && !analysis.tally.participants.empty();
     if (analysis.has_model) check_by_model(analysis);
     analysis.power = run_power(analysis.conditions);

@@ -37,6 +37,11 @@ constexpr int kPrimaryCode = 0xff;
 /// times as long as to read every page.
 constexpr std::uintmax_t kLargeBytes = std::uintmax_t{64} << 20U;
 
+/// Pages are read where they lie in the system's cache, not copied one by one. Not for what another
+/// program may shorten meanwhile.
+constexpr const char* kMapped = "PRAGMA mmap_size = 2147418112";
+constexpr const char* kUnmapped = "PRAGMA mmap_size = 0";
+
 /// First 16 bytes of a database (https://www.sqlite.org/fileformat.html, 1.3.1).
 constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
 
@@ -260,6 +265,7 @@ void Database::require_whole_beside() {
         soci::session beside(soci::sqlite3, connection_string(uri));
         // What a value may be is held by its reader (columns.cpp), in half the time.
         beside << "PRAGMA ignore_check_constraints = ON";
+        beside << kMapped;
         return finding_of(beside, "quick_check");
     });
 }
@@ -411,6 +417,8 @@ ReadTransaction::ReadTransaction(Database& database, Moment moment)
         database_.reading_ = &copy_;
         return;
     }
+    // Nobody can shorten the file while it is held, so it may be looked at where the system has it.
+    if (sqlite) database_.execute(kMapped);
     database_.execute(sqlite ? "BEGIN" : "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY");
     database_.reading_ = &database_.session_;
 }
@@ -422,6 +430,7 @@ ReadTransaction::~ReadTransaction() {
     if (of_copy) return;
     try {
         database_.execute("COMMIT");
+        if (database_.system() == Database::System::kSqlite) database_.execute(kUnmapped);
     } catch (const soci::soci_error&) {
         // Nothing was written; the connection that cannot end it is gone.
     }

@@ -116,7 +116,8 @@ class Store {
     /// Each trial with its session, of one moment.
     void each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take);
     /// Sessions, then trials, in order of their rows and with only what an analysis counts: the
-    /// other members keep their defaults. Half the cost of each_trial.
+    /// other members keep their defaults. Half the cost of each_trial. Neither may use the store:
+    /// it is read on by another thread meanwhile.
     void each_answer(const std::function<void(const SessionRecord&)>& take_session,
                      const std::function<void(const TrialRecord&)>& take_trial);
     /// All that `work` reads is what the store held at one moment, also while a kiosk is writing.

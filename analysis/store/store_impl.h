@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/store/database.h"
+#include "analysis/store/read_ahead.h"
 #include "analysis/store/rows.h"
 #include "analysis/store/store.h"
 
@@ -59,6 +60,16 @@ struct Store::Impl {
         database.read([&] {
             Rows<Record> rows(database.session(), table, rest);
             for (Record record; rows.next(record);) take(record);
+        });
+    }
+
+    /// The same with a thread that reads on meanwhile: `take` must leave the store alone.
+    template <typename Record>
+    void each_ahead(const RecordTable<Record>& table, const std::string& rest,
+                    const std::function<void(const Record&)>& take) {
+        database.read([&] {
+            Rows<Record> rows(database.session(), table, rest);
+            read_ahead<Record>([&](Record& record) { return rows.next(record); }, take);
         });
     }
 

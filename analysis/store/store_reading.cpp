@@ -112,8 +112,8 @@ void Store::each_answer(const std::function<void(const SessionRecord&)>& take_se
                                  "scene", "validity", "condition_A", "condition_B", "first_shown",
                                  "is_A_selected", "response_time_s", "expected", "repeats"});
     of_one_moment([&] {
-        impl_->each(sessions, "sessions ORDER BY entry", take_session);
-        impl_->each(trials, "trials ORDER BY entry", take_trial);
+        impl_->each_ahead(sessions, "sessions ORDER BY entry", take_session);
+        impl_->each_ahead(trials, "trials ORDER BY entry", take_trial);
     });
 }
 

@@ -22,9 +22,9 @@ struct FilledProbe {
 
 namespace {
 
-/// Above it, of all the directions of a probe, those that meet backs: it stands inside of
-/// something.
-constexpr double kMostBacks = 0.25;
+/// From it, of all the directions of a probe, those that meet backs: it stands inside of something,
+/// or outside of a room whose walls look inwards. Beside the corner of one that is a thirtieth.
+constexpr double kMostBacks = 0.02;
 
 std::vector<std::size_t> neighbours_of(const ProbeLattice& lattice, const glm::ivec3& probe) {
     std::vector<std::size_t> list;

@@ -6,8 +6,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <numeric>
+#include <stdexcept>
+
 #include "analysis/store/columns.h"
 #include "analysis/store/database.h"
+#include "analysis/store/read_ahead.h"
 #include "analysis/store/rows.h"
 #include "analysis/store/store.h"
 #include "renderer/base/error.h"
@@ -97,6 +101,39 @@ TEST(StoreColumns, DoNotGiveAValueThatNoneCanBe) {
     for (const auto& [value, expected] : values) {
         EXPECT_THAT(reading_with(session, value), HasSubstr(expected)) << value;
     }
+}
+
+TEST(ReadAhead, GivesEveryRecordOnceAndInOrderHoweverManyThereAre) {
+    for (const int count : {0, 1, 4095, 4096, 4097, 12288, 20000}) {
+        int given = 0;
+        std::vector<int> taken;
+        read_ahead<int>(
+            [&](int& record) {
+                EXPECT_LE(given, count) << "asked again after the end";
+                record = given;
+                return given++ < count;
+            },
+            [&](const int& record) { taken.push_back(record); });
+        std::vector<int> all(static_cast<std::size_t>(count));
+        std::iota(all.begin(), all.end(), 0);
+        EXPECT_EQ(taken, all);
+    }
+}
+
+TEST(ReadAhead, LetsThroughWhatEitherSideThrows) {
+    int given = 0;
+    const auto next = [&](int& record) {
+        if (given == 9000) throw std::runtime_error("damaged");
+        record = given++;
+        return true;
+    };
+    EXPECT_THROW(read_ahead<int>(next, [](const int&) {}), std::runtime_error);
+    given = 0;
+    EXPECT_THROW(read_ahead<int>(next,
+                                 [](const int& record) {
+                                     if (record == 5000) throw std::logic_error("refused");
+                                 }),
+                 std::logic_error);
 }
 
 class StoreMoment : public testing::TestWithParam<Moment> {};

@@ -73,20 +73,28 @@ void put_hoist(Assembly& hall) {
     hall.put(Surface::kSteel, bolt(0.02F),
              moved(top.x, low - 0.06F, top.z + 0.035F) * lie_along_z(), 1012U);
     std::vector<vec3> hook{{0.0F, 0.0F, 0.0F}, {0.0F, -0.05F, 0.0F}};
-    for (int i = 0; i <= 12; ++i) {
-        const float a = 2.0F - 4.1F * static_cast<float>(i) / 12.0F;
-        hook.emplace_back(0.045F * std::sin(a) - 0.03F, -0.10F + 0.045F * std::cos(a) - 0.01F,
-                          0.0F);
+    // From the shank round below, to a tip that looks up again.
+    for (int i = 1; i <= 16; ++i) {
+        const float a = 4.9F * static_cast<float>(i) / 16.0F;
+        hook.emplace_back(0.045F * std::sin(a), -0.095F + 0.045F * std::cos(a), 0.0F);
     }
     hall.put(Surface::kSteel, sweep(circle(0.012F, 12), frames_along(hook, {0.0F, 0.0F, 1.0F})),
              moved(top.x, low - 0.12F, top.z), 1013U, vec3(0.6F));
-    // The hand chain hangs in a loop.
+    // The hand chain hangs in a loop: two lengths, and what joins them below.
     hall.put(Surface::kSteel, chain_of(2.2F),
              moved(top + vec3(-0.16F, 0.0F, 0.05F)) * glm::scale(glm::mat4(1.0F), vec3(0.7F)),
              1014U, vec3(0.5F));
     hall.put(Surface::kSteel, chain_of(2.2F),
              moved(top + vec3(-0.23F, 0.0F, 0.05F)) * glm::scale(glm::mat4(1.0F), vec3(0.7F)),
              1015U, vec3(0.5F));
+    std::vector<vec3> bend{{0.035F, 0.07F, 0.0F}};
+    for (int i = 0; i <= 10; ++i) {
+        const float a = glm::pi<float>() * static_cast<float>(i) / 10.0F;
+        bend.emplace_back(0.035F * std::cos(a), -0.05F * std::sin(a), 0.0F);
+    }
+    bend.emplace_back(-0.035F, 0.07F, 0.0F);
+    hall.put(Surface::kSteel, sweep(circle(0.006F, 8), frames_along(bend, {0.0F, 0.0F, 1.0F})),
+             moved(top + vec3(-0.195F, -0.7F * 2.2F + 0.01F, 0.05F)), 1016U, vec3(0.5F));
 }
 
 /// A double-ended spanner lying flat, its length along x.

@@ -201,7 +201,8 @@ void put_pipe_run(Assembly& hall) {
     for (std::size_t i = 0; i < kRadius.size(); ++i) {
         y += kRadius[i] + 0.028F;
         const float z = kWallZ + 0.16F + kRadius[i];
-        const float turn_x = 1.2F + 0.1F * static_cast<float>(i);
+        // The lowest turns last: none passes through one above it.
+        const float turn_x = 1.66F - 0.12F * static_cast<float>(i);
         const std::array<vec3, 5> path{{{kLeft, y, z},
                                         {turn_x, y, z},
                                         {turn_x, y + 0.75F, z},
@@ -231,7 +232,7 @@ void put_pipe_run(Assembly& hall) {
 }
 
 void put_cable_tray(Assembly& hall) {
-    const float y = 2.62F;
+    const float y = 2.98F;
     const float z = kWallZ + 0.22F;
     for (const float off : {-0.14F, 0.14F}) {
         hall.put(Surface::kZinc, bevelled_box({kRight - kLeft, 0.05F, 0.004F}, 0.0F),

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -108,6 +109,30 @@ TEST(Probes, InAClosedBoxAreDarkWhateverIsOutside) {
     for (const Probe& probe : grid->probes) {
         for (const glm::vec3& value : probe.weighted) EXPECT_EQ(value, glm::vec3(0.0F));
     }
+}
+
+TEST(Probes, BesideACornerOfADarkRoomDoNotLightItFromOutside) {
+    Scene scene = tests::empty_scene();
+    add_room(scene, glm::vec3(0.0F), glm::vec3(4.0F, 3.0F, 5.0F));
+    // Far things, so that probes stand around the room.
+    tests::add_quad(scene, {-4.0F, -3.0F, -4.0F}, {0.0F, 0.0F, 0.1F}, {0.1F, 0.0F, 0.0F});
+    tests::add_quad(scene, {8.0F, 6.0F, 9.0F}, {0.0F, 0.0F, 0.1F}, {0.1F, 0.0F, 0.0F});
+    const auto grid = baked(scene, even_light(), {.most_probes = 2500});
+    float most = 0.0F;
+    for (const float x : {0.01F, 0.3F, 2.0F, 3.7F, 3.99F}) {
+        for (const float y : {0.01F, 0.3F, 1.5F, 2.7F, 2.99F}) {
+            for (const float z : {0.01F, 0.3F, 2.5F, 4.7F, 4.99F}) {
+                const glm::vec3 at(x, y, z);
+                if (z == 0.01F) most = std::max(most, grid->look_up(at, {0, 0, 1}).y);
+                if (z == 4.99F) most = std::max(most, grid->look_up(at, {0, 0, -1}).y);
+                if (x == 0.01F) most = std::max(most, grid->look_up(at, {1, 0, 0}).y);
+                if (x == 3.99F) most = std::max(most, grid->look_up(at, {-1, 0, 0}).y);
+                if (y == 0.01F) most = std::max(most, grid->look_up(at, kUp).y);
+                if (y == 2.99F) most = std::max(most, grid->look_up(at, -kUp).y);
+            }
+        }
+    }
+    EXPECT_LT(most, 3e-3F) << "of an environment of 1 outside";
 }
 
 TEST(Probes, InAClosedBoxWhoseWallsSendOutLightHaveThatOfAFurnace) {
