@@ -106,9 +106,13 @@ class Counter {
         for (const SessionEntry& session : table_.sessions) {
             if (is_chosen(session)) names.push_back(session.participant);
         }
-        std::sort(names.begin(), names.end(), [&](std::uint32_t one, std::uint32_t other) {
+        const auto before = [&](std::uint32_t one, std::uint32_t other) {
             return naturally_before(table_.names[one], table_.names[other]);
-        });
+        };
+        // A store's own names begin with the time, and so are in order.
+        if (!std::is_sorted(names.begin(), names.end(), before)) {
+            std::sort(names.begin(), names.end(), before);
+        }
         names.erase(std::unique(names.begin(), names.end()), names.end());
         std::vector<std::int32_t> number(table_.names.size(), -1);
         for (const std::uint32_t name : names) {
