@@ -104,6 +104,7 @@ Exported export_store(Store& store, const ExportOptions& options) {
                 break;
         }
     });
+    store.require_whole();
     folder.keep();
     return exported;
 }

@@ -263,7 +263,7 @@ void Database::require_whole_beside() {
 }
 
 void Database::await_check() {
-    if (reading_ == nullptr && check_.valid()) require_ok(check_.get());
+    if (check_.valid()) require_ok(check_.get());
 }
 
 void Database::require_ok(const std::string& finding) const {

@@ -48,6 +48,8 @@ class Database {
     /// The same of what is only read. Of a large store it is found out beside the reading, on
     /// another connection and core: each read() waits for the finding before what it read counts.
     void require_whole_beside();
+    /// Waits for that check, where one runs, and throws the damage.
+    void await_check();
     /// SQLite: writes all that it holds at this moment to a new file, also while others read.
     void copy_to(const std::string& file);
     /// SQLite: throws failure when the file was moved, deleted or replaced since it was opened.
@@ -65,16 +67,17 @@ class Database {
         }
     }
 
-    /// guarded() for what reads: it ends when the store is known to be whole.
+    /// guarded() for what reads: it ends when the store is known to be whole, but within a moment,
+    /// whose own end waits.
     template <typename Work>
     auto read(Work&& work) {
         return guarded("read", [&] {
             if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
                 work();
-                await_check();
+                if (reading_ == nullptr) await_check();
             } else {
                 auto result = work();
-                await_check();
+                if (reading_ == nullptr) await_check();
                 return result;
             }
         });
@@ -97,8 +100,6 @@ class Database {
     void take_up_connection();
     void settle_connection();
     void copy_sqlite_to(soci::session& copy);
-    /// Throws what the check that runs beside found; not within a moment, whose end waits.
-    void await_check();
     void open_sqlite(const std::string& file, bool read_only);
     void open_postgresql(const std::string& connection, bool read_only);
 

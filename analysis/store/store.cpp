@@ -127,6 +127,10 @@ Store::Store(const std::string& url, Access access) : impl_(std::make_unique<Imp
     });
 }
 
+void Store::require_whole() {
+    impl_->database.guarded("read", [&] { impl_->database.await_check(); });
+}
+
 void Store::require_in_place() { impl_->database.require_in_place(); }
 
 Store::~Store() = default;

@@ -116,13 +116,15 @@ class Store {
     /// Each trial with its session, of one moment.
     void each_trial(const std::function<void(const TrialRecord&, const SessionRecord&)>& take);
     /// Sessions, then trials, in order of their rows and with only what an analysis counts: the
-    /// other members keep their defaults. Half the cost of each_trial. Neither may use the store:
-    /// it is read on by another thread meanwhile.
+    /// other members keep their defaults. Half the cost of each_trial.
     void each_answer(const std::function<void(const SessionRecord&)>& take_session,
                      const std::function<void(const TrialRecord&)>& take_trial);
     /// All that `work` reads is what the store held at one moment, also while a kiosk is writing.
     /// Calls within `work` join in.
     void of_one_moment(const std::function<void()>& work, Moment moment = Moment::kCopied);
+    /// Throws bad input when a page is damaged. Every reading ends with it; who keeps something
+    /// within a moment asks for it before.
+    void require_whole();
 
   private:
     struct Impl;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "analysis/export/export.h"
 #include "analysis/store/columns.h"
 #include "analysis/store/database.h"
 #include "analysis/store/rows.h"
@@ -62,6 +63,31 @@ TEST_F(LargeStore, WithAPageOfItsTextGivenTwiceCannotBeRead) {
     bytes.replace(middle, 4, bytes.substr(middle + 4096, 4));
     base::write_file_atomically(file, bytes);
     EXPECT_THAT(reading(), HasSubstr("is damaged")) << "no trial lies there";
+}
+
+TEST_F(LargeStore, ThatIsDamagedLeavesNoExport) {
+    std::string bytes = base::read_file(file);
+    const std::size_t middle = bytes.size() / 4096 / 2 * 4096;
+    bytes.replace(middle, 4, bytes.substr(middle + 4096, 4));
+    base::write_file_atomically(file, bytes);
+    Store store(url, Store::Access::kReadOnly);
+    ExportOptions options;
+    options.folder = folder / "export";
+    bool threw = false;
+    try {
+        store.of_one_moment([&] {
+            try {
+                (void)export_store(store, options);
+            } catch (const base::Error&) {
+                threw = true;
+                throw;
+            }
+        });
+    } catch (const base::Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("is damaged"));
+    }
+    EXPECT_TRUE(threw) << "found only when the export had been kept";
+    EXPECT_TRUE(fs::is_empty(options.folder)) << "no file was to be kept";
 }
 
 /// What the store's reader says of trials that hold the value.
