@@ -13,6 +13,7 @@
 
 #include "renderer/base/progress.h"
 #include "renderer/frame/explain.h"
+#include "renderer/frame/steps_by.h"
 #include "renderer/gl/context.h"
 
 namespace obscura::stimuli {
@@ -29,7 +30,9 @@ constexpr int kLeastTimed = 2;
 
 /// What the numbers are, before them.
 std::string how_measured() {
-    std::string text = fmt::format("{}\n", renderer::gpu_description());
+    std::string text =
+        fmt::format("{}; techniques and filters as {}\n", renderer::gpu_description(),
+                    in_words(renderer::steps_by_device()));
     if (renderer::is_software_renderer()) {
         text += "A software renderer: these times say nothing of a graphics card's.\n";
     }

@@ -17,6 +17,7 @@
 #include "app/measure/sweep_views.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/frame/steps_by.h"
 #include "renderer/gl/context.h"
 
 namespace obscura::app {
@@ -159,8 +160,14 @@ void note_unmeasured(const stimuli::Study& study, Measured& measured) {
     }
 }
 
-/// What runs elsewhere than the device that the rows name is said.
-void note_processor(const MeasureRequest& request, Measured& measured) {
+/// How steps are run is said where a device gives a choice, and what runs elsewhere than the device
+/// that the rows name.
+void note_steps(const MeasureRequest& request, Measured& measured) {
+    const renderer::StepsBy steps = renderer::steps_by_device();
+    if (steps == renderer::StepsBy::kCompute) {
+        measured.notes.push_back(fmt::format("techniques and filters run as {}", in_words(steps)));
+        return;
+    }
     for (const std::string& name : measured_techniques(request)) {
         if (!renderer::find_technique(name)->standard_recipe().on_processor()) continue;
         measured.notes.push_back(fmt::format(
@@ -316,7 +323,7 @@ Measured measure(const MeasureRequest& asked, const std::vector<stimuli::Builtin
     if (views.empty()) throw base::bad_input("the study {} has no scene to measure", study.name);
 
     if (request.scenes.empty() && request.experiment.empty()) note_unmeasured(study, measured);
-    note_processor(request, measured);
+    note_steps(request, measured);
     if (request.experiment.empty()) {
         for (std::string& note : left_out_of(request)) measured.notes.push_back(std::move(note));
     }

@@ -24,6 +24,10 @@ constexpr Format kFormats[] = {
 
 }  // namespace
 
+bool can_be_stored(const Format& format) {
+    return format.format != GL_DEPTH_COMPONENT && format.internal != GL_SRGB8_ALPHA8;
+}
+
 const Format& format_of(std::string_view name) {
     std::string known;
     for (const Format& format : kFormats) {

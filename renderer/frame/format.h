@@ -18,6 +18,9 @@ struct Format {
     GLenum type;
 };
 
+/// Whether a shader can store to images of that format (OpenGL 4.5, table 8.26).
+[[nodiscard]] bool can_be_stored(const Format& format);
+
 /// Throws failure naming those there are.
 [[nodiscard]] const Format& format_of(std::string_view name);
 

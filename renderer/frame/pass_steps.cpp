@@ -94,10 +94,46 @@ void Renderer::set_step(Job& job, gl::Program& program, const PlannedPass& pass,
     };
     for (const Read& read : pass.reads) bind_read(read.as, job.frame.texture(read.name));
     for (const NumberTable& table : pass.tables) bind_read(table.name, texture_of(table).name());
+    if (pass.step->traces) {
+        const RayBuffers& rays = ray_buffers(job);
+        rays.bind();
+        program.set("u_eye_m", glm::vec3(glm::dvec3(job.seen_source.position_m) - rays.origin_m()));
+        program.set("u_world_from_view", glm::transpose(glm::mat3(job.seen.view_from_world)));
+    }
 }
 
-gl::Program& Renderer::step_program(const Step& step) {
-    return program("passes/full_screen.vert.glsl", step.shader, step.defines);
+bool Renderer::is_on_processor(const Step& step) const {
+    return step.processor != nullptr && (step.shader.empty() || steps_ == StepsBy::kFragments);
+}
+
+bool Renderer::computes(const FramePlan& plan, const PlannedPass& pass) const {
+    return steps_ == StepsBy::kCompute &&
+           can_be_stored(format_of(plan.find(pass.writes.front())->format));
+}
+
+gl::Program& Renderer::step_program(const FramePlan& plan, const PlannedPass& pass) {
+    const Step& step = *pass.step;
+    if (!computes(plan, pass)) {
+        return program("passes/full_screen.vert.glsl", step.shader, step.defines);
+    }
+    Defines defines = step.defines;
+    if (step.cover == Cover::kSurfaces) defines.emplace_back("SURFACES");
+    std::string key = "compute|" + step.shader;
+    for (const std::string& define : defines) key += '|' + define;
+    auto& entry = programs_[key];
+    if (!entry) {
+        entry = std::make_unique<gl::Program>(gl::Program::computing(step.shader, defines));
+    }
+    return *entry;
+}
+
+const RayBuffers& Renderer::ray_buffers(Job& job) {
+    const ReferenceScene& scene = job.rays();
+    if (!ray_buffers_ || !ray_buffers_->is_of(scene)) {
+        ray_buffers_.reset();  // before the next takes memory
+        ray_buffers_.emplace(scene);
+    }
+    return *ray_buffers_;
 }
 
 void Renderer::run_on_processor(Job& job, const PlannedPass& pass) {
@@ -121,14 +157,41 @@ void Renderer::run_on_processor(Job& job, const PlannedPass& pass) {
                         GL_RED, GL_FLOAT, values.data());
 }
 
+void Renderer::draw_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,
+                         int layer) {
+    attach_step(job, pass, level, layer);
+    set_step(job, program, pass, level, layer);
+    full_screen(program, pass.step->cover == Cover::kSurfaces ? GL_GREATER : GL_ALWAYS);
+}
+
+void Renderer::compute_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,
+                            int layer) {
+    const PlannedTarget& target = *job.plan.find(pass.writes.front());
+    job.size = {std::max(1, target.width >> level), std::max(1, target.height >> level)};
+    set_step(job, program, pass, level, layer);
+    if (pass.step->cover == Cover::kSurfaces) {
+        const auto unit = static_cast<int>(pass.reads.size() + pass.tables.size());
+        const std::string visibility = job.plan.seen_by_technique(Target::kVisibility);
+        bind(program, "t_covered", job.frame.texture(visibility), unit);
+    }
+    program.set("o_image", 0);
+    glBindImageTexture(0, job.frame.texture(target.name), level, GL_FALSE, layer, GL_WRITE_ONLY,
+                       format_of(target.format).internal);
+    use(program);
+    const glm::ivec2 groups = (job.size + gl::kWorkGroup - 1) / gl::kWorkGroup;
+    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
 void Renderer::run_step(Job& job, const PlannedPass& pass) {
     const Step& step = *pass.step;
-    if (step.processor != nullptr) {
+    if (is_on_processor(step)) {
         run_on_processor(job, pass);
         return;
     }
     const PlannedTarget& target = *job.plan.find(pass.writes.front());
-    gl::Program& shader = step_program(step);
+    const bool computed = computes(job.plan, pass);
+    gl::Program& shader = step_program(job.plan, pass);
     const bool reads_itself =
         std::any_of(pass.reads.begin(), pass.reads.end(),
                     [&target](const Read& read) { return read.name == target.name; });
@@ -136,9 +199,11 @@ void Renderer::run_step(Job& job, const PlannedPass& pass) {
         std::optional<LevelAbove> above;
         if (reads_itself) above.emplace(job.frame.texture(target.name), level, target.levels);
         for (int layer = 0; layer < target.layers; ++layer) {
-            attach_step(job, pass, level, layer);
-            set_step(job, shader, pass, level, layer);
-            full_screen(shader, step.cover == Cover::kSurfaces ? GL_GREATER : GL_ALWAYS);
+            if (computed) {
+                compute_step(job, shader, pass, level, layer);
+            } else {
+                draw_step(job, shader, pass, level, layer);
+            }
         }
     }
 }

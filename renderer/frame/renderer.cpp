@@ -38,7 +38,8 @@ void set_known_state() {
 
 }  // namespace
 
-Renderer::Renderer() : framebuffer_(gl::Framebuffer::make()), empty_(gl::VertexArray::make()) {}
+Renderer::Renderer(StepsBy steps)
+    : steps_(steps), framebuffer_(gl::Framebuffer::make()), empty_(gl::VertexArray::make()) {}
 
 Renderer::~Renderer() = default;
 
@@ -151,14 +152,18 @@ void Renderer::attach(Job& job, const std::vector<std::string_view>& targets,
     glViewport(0, 0, job.size.x, job.size.y);
 }
 
-void Renderer::full_screen(gl::Program& program, GLenum test, GLboolean writes) {
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(writes);
-    glDepthFunc(test);
+void Renderer::use(gl::Program& program) {
     for (const std::string& uniform : program.newly_unset()) {
         mismatches_.insert(program.name() + " reads " + uniform + ", which nobody sets");
     }
     program.use();
+}
+
+void Renderer::full_screen(gl::Program& program, GLenum test, GLboolean writes) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(writes);
+    glDepthFunc(test);
+    use(program);
     glBindVertexArray(empty_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -190,14 +195,18 @@ void Renderer::run_pass(Job& job, const PlannedPass& pass) {
 std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& wanted) {
     std::vector<PassTime> times;
     // What is made once for a scene is no part of a frame's time.
-    const bool on_processor = std::any_of(
-        job.plan.passes.begin(), job.plan.passes.end(),
-        [](const PlannedPass& pass) { return pass.step && pass.step->processor != nullptr; });
-    if (on_processor && !job.rays) {
-        throw base::failure("technique {} needs the scene's rays, and this frame has none",
-                            job.plan.variant.technique);
+    for (const PlannedPass& pass : job.plan.passes) {
+        if (!pass.step || (pass.step->processor == nullptr && !pass.step->traces)) continue;
+        if (!job.rays) {
+            throw base::failure("technique {} needs the scene's rays, and this frame has none",
+                                job.plan.variant.technique);
+        }
+        if (is_on_processor(*pass.step)) {
+            (void)job.rays();
+        } else {
+            (void)ray_buffers(job);
+        }
     }
-    if (on_processor) (void)job.rays();
     set_known_state();
     glFinish();
     gl::TimestampQueries timestamps(2 * job.plan.passes.size());
@@ -252,9 +261,9 @@ void Renderer::note_unread_parameters(const FramePlan& plan) {
     for (const auto& [name, value] : plan.parameters) unread.insert("p_" + name);
     for (const PlannedPass& pass : plan.passes) {
         if (pass.phase != Phase::kTechnique || !pass.step) continue;
-        if (pass.step->processor != nullptr) return;  // it is given all of them
+        if (is_on_processor(*pass.step)) return;  // it is given all of them
         has_steps = true;
-        const gl::Program& shader = step_program(*pass.step);
+        const gl::Program& shader = step_program(plan, pass);
         // A step may also make a parameter's value a constant of its program.
         const auto& defines = pass.step->defines;
         std::erase_if(unread, [&](const std::string& name) {

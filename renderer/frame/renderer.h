@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
+#include "renderer/frame/ray_buffers.h"
+#include "renderer/frame/steps_by.h"
 #include "renderer/frame/view.h"
 #include "renderer/gl/program.h"
 #include "renderer/scene/camera.h"
@@ -22,7 +24,7 @@ namespace obscura::renderer {
 /// shaders are compiled once, when a plan first needs them.
 class Renderer {
   public:
-    Renderer();
+    explicit Renderer(StepsBy steps = steps_by_device());
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -48,6 +50,7 @@ class Renderer {
     /// and what shaders of full-screen passes read and nobody sets, of all that was drawn so far; a
     /// driver may have removed what has no effect.
     [[nodiscard]] const std::set<std::string>& mismatches() const { return mismatches_; }
+    [[nodiscard]] StepsBy steps_by() const { return steps_; }
 
   private:
     struct Job;
@@ -75,8 +78,17 @@ class Renderer {
     void run_second_layer(Job& job);
     void run_seen(Job& job);
     void run_traced(Job& job);
-    gl::Program& step_program(const Step& step);
+    /// Whether that step of the plan is run as a compute shader: its buffer must be of a format
+    /// that images of shaders can have.
+    [[nodiscard]] bool computes(const FramePlan& plan, const PlannedPass& pass) const;
+    [[nodiscard]] bool is_on_processor(const Step& step) const;
+    gl::Program& step_program(const FramePlan& plan, const PlannedPass& pass);
     void run_step(Job& job, const PlannedPass& pass);
+    void draw_step(Job& job, gl::Program& program, const PlannedPass& pass, int level, int layer);
+    void compute_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,
+                      int layer);
+    /// The scene's triangles for shaders that trace; kept for one scene at a time.
+    const RayBuffers& ray_buffers(Job& job);
     void run_on_processor(Job& job, const PlannedPass& pass);
     void note_unread_parameters(const FramePlan& plan);
     /// Attaches one level and layer of what the step writes.
@@ -123,8 +135,12 @@ class Renderer {
     /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
     /// `writes`: the shader writes that depth.
     void full_screen(gl::Program& program, GLenum test, GLboolean writes = GL_FALSE);
+    /// Makes it current, and notes what it reads and nobody set.
+    void use(gl::Program& program);
     void bind(gl::Program& program, const char* sampler, GLuint texture, int unit);
 
+    StepsBy steps_;
+    std::optional<RayBuffers> ray_buffers_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray empty_;
     std::map<std::string, std::unique_ptr<gl::Program>> programs_;

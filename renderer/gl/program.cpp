@@ -47,10 +47,11 @@ void expand(const std::string& path, std::set<std::string>& seen, std::string& o
     }
 }
 
-Shader compile(GLenum stage, const std::string& path, const std::vector<std::string>& defines) {
+Shader compile(GLenum stage, const std::string& path, const std::string& source,
+               const std::vector<std::string>& defines) {
     std::string text = "#version 450 core\n";
     for (const std::string& define : defines) text += "#define " + define + '\n';
-    text += shader_source(path);
+    text += source;
     Shader shader = Shader::make(stage);
     const char* pointer = text.c_str();
     glShaderSource(shader.name(), 1, &pointer, nullptr);
@@ -65,7 +66,67 @@ Shader compile(GLenum stage, const std::string& path, const std::vector<std::str
     return shader;
 }
 
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != std::string::npos;
+         at = text.find(what, at + by.size())) {
+        text.replace(at, what.size(), by);
+    }
+}
+
+constexpr const char* kBeforeComputing = R"(
+layout(local_size_x = {}, local_size_y = {}) in;
+writeonly uniform image2D o_image;
+#ifdef SURFACES
+uniform sampler2D t_covered;
+#endif
+vec4 texel_place;
+vec4 widened(float v) {{ return vec4(v, 0.0, 0.0, 1.0); }}
+vec4 widened(vec2 v) {{ return vec4(v, 0.0, 1.0); }}
+vec4 widened(vec3 v) {{ return vec4(v, 1.0); }}
+vec4 widened(vec4 v) {{ return v; }}
+)";
+constexpr const char* kAfterFragment = R"(
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(o_image)))) return;
+    texel_place = vec4(vec2(at) + 0.5, 0.0, 1.0);
+    vec4 value = vec4(1.0);
+#ifdef SURFACES
+    if (texelFetch(t_covered, at, 0).r < 1.0)
+#endif
+    {
+        texel_main();
+        value = widened(COMPUTED);
+    }
+    imageStore(o_image, at, value);
+}
+)";
+
 }  // namespace
+
+std::string compute_source(const std::string& fragment, const std::string& name) {
+    constexpr std::string_view kFirst = "layout(location = 0) ";
+    constexpr std::string_view kOut = "out ";
+    std::string text = fmt::format(kBeforeComputing, kWorkGroup.x, kWorkGroup.y);
+    std::istringstream lines(fragment);
+    bool has_output = false;
+    for (std::string line; std::getline(lines, line);) {
+        std::string_view rest = line;
+        if (rest.starts_with(kFirst)) rest.remove_prefix(kFirst.size());
+        if (rest.starts_with(kOut)) {
+            rest = rest.substr(0, rest.find(';'));
+            // Where a file is compiled in several ways, the preprocessor leaves one of its outputs.
+            line = fmt::format("#define COMPUTED {}\n{};", rest.substr(rest.rfind(' ') + 1),
+                               rest.substr(kOut.size()));
+            has_output = true;
+        }
+        replace_all(line, "gl_FragCoord", "texel_place");
+        replace_all(line, "void main()", "void texel_main()");
+        text += line + '\n';
+    }
+    if (!has_output) throw base::failure("the shader {} has no output to compute", name);
+    return text + kAfterFragment;
+}
 
 std::string shader_folder() {
     const char* folder = std::getenv("OBSCURA_SHADERS");
@@ -79,20 +140,34 @@ std::string shader_source(const std::string& path) {
     return text;
 }
 
+Program::Program(const std::string& name) : program_(ProgramName::make()), name_(name) {}
+
 Program::Program(const std::string& vertex, const std::string& fragment,
                  const std::vector<std::string>& defines)
-    : program_(ProgramName::make()), name_(fragment) {
-    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, defines);
-    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines);
-    glAttachShader(program_.name(), vertex_shader.name());
-    glAttachShader(program_.name(), fragment_shader.name());
+    : Program(fragment) {
+    const Shader shaders[] = {
+        compile(GL_VERTEX_SHADER, vertex, shader_source(vertex), defines),
+        compile(GL_FRAGMENT_SHADER, fragment, shader_source(fragment), defines)};
+    link(shaders);
+}
+
+Program Program::computing(const std::string& fragment, const std::vector<std::string>& defines) {
+    Program program(fragment);
+    const Shader shaders[] = {compile(GL_COMPUTE_SHADER, fragment,
+                                      compute_source(shader_source(fragment), fragment), defines)};
+    program.link(shaders);
+    return program;
+}
+
+void Program::link(std::span<const Shader> shaders) {
+    for (const Shader& shader : shaders) glAttachShader(program_.name(), shader.name());
     glLinkProgram(program_.name());
     GLint linked = GL_FALSE;
     glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
         char log[4096] = "";
         glGetProgramInfoLog(program_.name(), sizeof log, nullptr, log);
-        throw base::failure("the shaders {} and {} do not link:\n{}", vertex, fragment, log);
+        throw base::failure("the shader {} does not link:\n{}", name_, log);
     }
     GLint count = 0;
     glGetProgramiv(program_.name(), GL_ACTIVE_UNIFORMS, &count);

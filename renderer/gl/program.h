@@ -13,15 +13,19 @@
 
 namespace obscura::renderer::gl {
 
-/// A vertex and a fragment shader, linked. Sources are named by their path below renderer/:
-/// embedded in the program, or read from the folder in OBSCURA_SHADERS where that is set. A line
-/// `#include "path"` is replaced by that file, once.
+/// Shaders, compiled and linked. Sources are named by their path below renderer/: embedded in the
+/// program, or read from the folder in OBSCURA_SHADERS where that is set. A line `#include "path"`
+/// is replaced by that file, once.
 class Program {
   public:
-    /// Every define becomes `#define TEXT` at the top of both shaders. Throws failure with the
-    /// shader's name and the driver's log.
+    /// A vertex and a fragment shader. Every define becomes `#define TEXT` at the top of both.
+    /// Throws failure with the shader's name and the driver's log.
     Program(const std::string& vertex, const std::string& fragment,
             const std::vector<std::string>& defines);
+    /// A compute shader that does what the fragment shader does when it is drawn over a whole
+    /// image: compute_source(). Throws likewise.
+    [[nodiscard]] static Program computing(const std::string& fragment,
+                                           const std::vector<std::string>& defines);
 
     void use() const;
     /// The fragment shader's path.
@@ -41,6 +45,8 @@ class Program {
     void set(const char* uniform, std::span<const glm::mat4> values);
 
   private:
+    explicit Program(const std::string& name);
+    void link(std::span<const Shader> shaders);
     [[nodiscard]] GLint location(const char* uniform);
 
     ProgramName program_;
@@ -55,5 +61,14 @@ class Program {
 
 /// The text of a shader file with its includes in place. Throws failure naming what is missing.
 [[nodiscard]] std::string shader_source(const std::string& path);
+
+/// Texels along the sides of what one work group of a computing program writes.
+inline constexpr glm::ivec2 kWorkGroup{16, 8};
+
+/// The text of a fragment shader that reads `gl_FragCoord.xy`, writes one `out` variable and never
+/// discards, as a compute shader that writes the same to the image `o_image`. With the define
+/// SURFACES it writes ones where the depth buffer `t_covered` has no triangle. Throws failure
+/// naming the shader where it has not just one output.
+[[nodiscard]] std::string compute_source(const std::string& fragment, const std::string& name);
 
 }  // namespace obscura::renderer::gl

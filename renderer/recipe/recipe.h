@@ -78,8 +78,10 @@ struct Step {
     int levels = 0;       ///< how many of them; 0: to the last
     int frame = -1;       ///< of the recipe's frames that it is run in; below 0: in each
     /// In place of a shader: computed on the processor, from buffers that are read back, and
-    /// uploaded. It writes a buffer of the image's size in one component.
+    /// uploaded. It writes a buffer of the image's size in one component. With a shader beside it,
+    /// that is run where steps are computed on a GPU (frame/renderer.h).
     ProcessorStep processor = nullptr;
+    bool traces = false;  ///< its shader includes technique/rays.glsl
 
     /// Whether it is run in that frame.
     [[nodiscard]] bool is_in(int of_frame) const { return frame < 0 || frame == of_frame; }

@@ -29,9 +29,9 @@ constexpr float kTriangleOffset = 4.0e-7F;
 constexpr float kProbe = 1.0e-3F;
 static_assert(kPacket == kSide * kSide);
 
-/// Duff et al. 2017, equation 6.
+/// Duff et al. 2017, equation 6, with zeros of both signs alike, as a shader sees them.
 glm::mat3 frame_of(const glm::vec3& n) {
-    const float sign = std::copysign(1.0F, n.z);
+    const float sign = n.z >= 0.0F ? 1.0F : -1.0F;
     const float s = -1.0F / (sign + n.z);
     const float t = n.x * n.y * s;
     return {glm::vec3(1.0F + sign * n.x * n.x * s, sign * t, -sign * n.x),

@@ -3,6 +3,7 @@
 #include "renderer/reference/ray_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -107,6 +108,11 @@ void judge_hits(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+std::size_t next_number() {
+    static std::atomic<std::size_t> next{0};
+    return next++;
+}
+
 void note(std::string& all, const void* data, std::size_t bytes) {
     all += std::to_string(bytes) + ':';
     all.append(static_cast<const char*>(data), bytes);
@@ -150,7 +156,8 @@ const std::string& RayScene::sha256() const {
     return sha256_;
 }
 
-RayScene::RayScene(const Scene& scene, Kernels kernels) : origin_m_(origin_of(scene)) {
+RayScene::RayScene(const Scene& scene, Kernels kernels)
+    : origin_m_(origin_of(scene)), number_(next_number()) {
     std::size_t left = 0;
     device_ = rtcNewDevice(kernels == Kernels::kFastest ? nullptr : "max_isa=avx");
     if (device_ == nullptr) {

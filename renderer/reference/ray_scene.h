@@ -68,6 +68,8 @@ class RayScene {
     /// Of everything that rays can meet; computed when it is first asked for.
     [[nodiscard]] const std::string& sha256() const;
     [[nodiscard]] std::size_t skipped() const { return skipped_; }
+    /// No two have the same.
+    [[nodiscard]] std::size_t number() const { return number_; }
     [[nodiscard]] Triangle triangle(unsigned geometry, unsigned primitive) const;
 
     /// One mesh: its triangles that can be hit, and the alpha of its surface.
@@ -92,6 +94,7 @@ class RayScene {
 
     /// By Embree's geomID.
     [[nodiscard]] const Geometry& geometry(unsigned number) const { return *geometries_[number]; }
+    [[nodiscard]] unsigned geometries() const { return static_cast<unsigned>(geometries_.size()); }
 
   private:
     void add(const Scene& scene, std::size_t number);
@@ -101,8 +104,9 @@ class RayScene {
     RTCScene scene_ = nullptr;
     glm::dvec3 origin_m_{0.0};
     std::vector<std::unique_ptr<Geometry>> geometries_;  ///< by Embree's geomID
-    std::size_t skipped_ = 0;                            ///< triangles: those without area, and
-    std::size_t broken_ = 0;  ///< those with coordinates that are not finite
+    std::size_t number_;
+    std::size_t skipped_ = 0;  ///< triangles: those without area, and
+    std::size_t broken_ = 0;   ///< those with coordinates that are not finite
     mutable std::once_flag hashed_;
     mutable std::string sha256_;
 };

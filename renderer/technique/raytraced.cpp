@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/reference/buffer_rays.h"
 #include "renderer/reference/reference.h"
+#include "renderer/technique/sampling.h"
 #include "renderer/technique/technique.h"
 
 namespace obscura::renderer {
@@ -13,14 +14,13 @@ std::vector<float> traced(const ProcessorWork& work) {
                               work.parameters.at("radius_m"), work.samples);
 }
 
-Recipe recipe_of(const Variant& /*variant*/) {
-    Step step;
-    step.name = "rays, on the processor";
-    step.reads = {Target::kDepth, Target::kNormal};
-    step.writes = Target::kAccessibility.name;
-    step.fetches = 2;
+Recipe recipe_of(const Variant& variant) {
+    Step step = accessibility_step(variant, "technique/raytraced.glsl",
+                                   {Target::kDepth, Target::kNormal}, 2);
+    step.name = "rays";
     step.cover = Cover::kAll;
     step.processor = traced;
+    step.traces = true;
     Recipe recipe;
     recipe.steps = {step};
     return recipe;
@@ -33,11 +33,9 @@ Technique raytraced_technique() {
     technique.name = "raytraced";
     technique.variant = "RayTraced";
     technique.citation =
-        "ray traced from the G-buffer on the processor: cosine-weighted visibility within a "
-        "radius, "
-        "Owen-scrambled Sobol points shared by blocks of 4x4 pixels (Owen 1995, Burley 2020); "
-        "Embree "
-        "3";
+        "ray traced from the G-buffer: cosine-weighted visibility within a radius, Owen-scrambled "
+        "Sobol points shared by blocks of 4x4 pixels (Owen 1995, Burley 2020); Embree 3 on the "
+        "processor, on a GPU a compute shader over a tree by Embree's builder";
     technique.ray_traced = true;
     technique.samples = {1, 64, 4, 1};
     technique.parameters = {

@@ -80,10 +80,16 @@ Errors errors_on(MeasuredScene& stage, const MeasuredView& view, const renderer:
     return {error->rmse * error->rmse, error->bias, error->p99};
 }
 
+/// On a GPU by timestamps, but for what the processor has a part in.
+double ms_of(const renderer::PassTime& pass) {
+    static const bool by_clock = renderer::is_software_renderer();
+    return by_clock ? pass.milliseconds : pass.query_milliseconds;
+}
+
 double ms_of(const std::vector<renderer::PassTime>& passes) {
     double sum = 0.0;
     for (const renderer::PassTime& pass : passes) {
-        if (is_of_the_variant(pass.phase)) sum += pass.milliseconds;
+        if (is_of_the_variant(pass.phase)) sum += ms_of(pass);
     }
     return sum;
 }
@@ -91,7 +97,7 @@ double ms_of(const std::vector<renderer::PassTime>& passes) {
 double layer_ms_of(const renderer::Frame& frame) {
     double sum = 0.0;
     for (const renderer::PassTime& pass : frame.times) {
-        if (pass.phase == renderer::Phase::kSecondLayer) sum += pass.milliseconds;
+        if (pass.phase == renderer::Phase::kSecondLayer) sum += ms_of(pass);
     }
     return sum;
 }
@@ -217,12 +223,14 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
         }
         for (std::size_t i = 0; i < times.size(); ++i) ms[i] += median(times[i]) * share;
     }
+    fmt::print("{}, steps as {}\n", renderer::gpu_description(),
+               in_words(renderer::steps_by_device()));
     fmt::print("{:>7} {:>7} {:>7} {:>8} {:>6} {:>8}  each\n", "RMSE", "bias", "p99", "ms", "ratio",
                "layer ms");
     for (std::size_t i = 0; i < options.asked.size(); ++i) {
         fmt::print("{:7.4f} {:+7.3f} {:7.3f} {:8.2f} {:6.3f} {:8.2f} {}  {}\n",
-                   std::sqrt(sums[i].square), sums[i].bias, sums[i].p99, ms[i], ms[i] / ms[0],
-                   layer_ms[i], each[i], options.asked[i].text);
+                   std::sqrt(sums[i].square), sums[i].bias, sums[i].p99, ms[i],
+                   ms[0] > 0.0 ? ms[i] / ms[0] : 0.0, layer_ms[i], each[i], options.asked[i].text);
     }
 }
 

@@ -16,19 +16,27 @@
 namespace obscura::renderer {
 namespace {
 
-class RaysFromBuffers : public testing::Test {
+class RaysTest : public testing::Test {
   protected:
+    explicit RaysTest(StepsBy steps) : renderer_(steps) {}
+
     Frame render(const Scene& scene, const Variant& choice, int width = 96, int height = 64) {
+        return render(renderer_, scene, choice, width, height);
+    }
+    Frame render(Renderer& renderer, const Scene& scene, const Variant& choice, int width = 96,
+                 int height = 64) {
         const GpuScene gpu(scene);
         const ReferenceScene rays(scene);
-        return renderer_.render({gpu,
-                                 lighting_,
-                                 tests::forward_camera(),
-                                 {},
-                                 {},
-                                 [&rays]() -> const ReferenceScene& { return rays; }},
-                                choice, width, height);
+        return renderer.render({gpu,
+                                lighting_,
+                                tests::forward_camera(),
+                                {},
+                                {},
+                                [&rays]() -> const ReferenceScene& { return rays; }},
+                               choice, width, height);
     }
+
+    void expect_open_planes();
 
     static Variant with(int rays, double radius_m, const std::string& denoise = "none") {
         Variant choice = tests::choice_of("raytraced", denoise);
@@ -40,6 +48,12 @@ class RaysFromBuffers : public testing::Test {
     HeadlessContext context_;
     Renderer renderer_;
     Lighting lighting_;
+};
+
+/// By Embree on the processor.
+class RaysFromBuffers : public RaysTest {
+  protected:
+    RaysFromBuffers() : RaysTest(StepsBy::kFragments) {}
 };
 
 Scene boxes_in_a_corner() {
@@ -90,7 +104,7 @@ TEST_F(RaysFromBuffers, MeetTheClosedFormOfACorner) {
     }
 }
 
-TEST_F(RaysFromBuffers, LeaveAPlaneOpenAtAnyTiltAndDistance) {
+void RaysTest::expect_open_planes() {
     for (const float tilt_rad : {0.0F, 0.8F, 1.4F, 1.53F}) {
         for (const float distance_m : {0.2F, 5.0F, 80.0F}) {
             Scene scene = tests::empty_scene();
@@ -105,6 +119,8 @@ TEST_F(RaysFromBuffers, LeaveAPlaneOpenAtAnyTiltAndDistance) {
         }
     }
 }
+
+TEST_F(RaysFromBuffers, LeaveAPlaneOpenAtAnyTiltAndDistance) { expect_open_planes(); }
 
 TEST_F(RaysFromBuffers, ComeNearerToTheTruthWithTheirNumberAndAreTheSameTwice) {
     const Scene scene = boxes_in_a_corner();
@@ -157,6 +173,83 @@ TEST_F(RaysFromBuffers, AreRefusedWhereAViewHasNone) {
     EXPECT_THROW(
         (void)renderer_.render({gpu, lighting_, tests::forward_camera()}, with(1, 0.5), 8, 8),
         base::Error);
+}
+
+class RaysOfAShader : public RaysTest {
+  protected:
+    RaysOfAShader() : RaysTest(StepsBy::kCompute) {}
+
+    /// The directions are the same ones, so only a ray past an edge may meet another triangle, and
+    /// a pixel that an edge runs through show the face on its other side.
+    void expect_the_same(const Scene& scene) {
+        const std::vector<float> open =
+            render(scene, with(4, 1.0)).read_floats(Target::kAccessibility);
+        Renderer processor(StepsBy::kFragments);
+        const std::vector<float> expected =
+            render(processor, scene, with(4, 1.0)).read_floats(Target::kAccessibility);
+        std::size_t unlike = 0;
+        for (std::size_t i = 0; i < open.size(); ++i) unlike += open[i] != expected[i] ? 1 : 0;
+        EXPECT_LE(unlike, open.size() / 1000);
+        EXPECT_LT(rmse(open, expected), 0.01);
+    }
+};
+
+TEST_F(RaysOfAShader, MeetWhatEmbreesMeet) { expect_the_same(boxes_in_a_corner()); }
+
+TEST_F(RaysOfAShader, MeetNoBacksThatAreNotDrawnFromTheCameraButAllFromASurface) {
+    Scene scene = boxes_in_a_corner();
+    // Between the camera and the boxes, seen from behind: it is not drawn, and it occludes.
+    tests::add_quad(scene, {-1.0F, -0.5F, -5.0F}, {0.0F, 1.5F, 0.0F}, {2.0F, 0.0F, 0.0F});
+    expect_the_same(scene);
+    scene.materials[0].double_sided = true;
+    expect_the_same(scene);
+}
+
+TEST_F(RaysOfAShader, PassThroughTheHolesOfCutOuts) {
+    Scene scene = boxes_in_a_corner();
+    Texture texture;
+    texture.name = "grid";
+    texture.width = 5;  // a number of texels that shares words with the next texture's
+    texture.height = 3;
+    for (int i = 0; i < 15; ++i) {
+        texture.rgba.insert(texture.rgba.end(),
+                            {255, 255, 255, static_cast<std::uint8_t>(i % 2 == 0 ? 255 : 0)});
+    }
+    for (int i = 0; i < 2; ++i) {
+        Material holes;
+        holes.coverage = Coverage::kCutOut;
+        holes.double_sided = true;
+        holes.alpha_cutoff = 0.3F + 0.3F * static_cast<float>(i);
+        holes.albedo_texture = static_cast<TextureIndex>(scene.textures.size());
+        scene.textures.push_back(texture);
+        scene.materials.push_back(holes);
+        const float x = i == 0 ? -1.8F : 0.4F;
+        tests::add_quad(scene, {x, -0.9F, -4.8F}, {1.6F, 0.0F, 0.0F}, {0.0F, 1.6F, -0.4F});
+        scene.meshes.back().material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    }
+    expect_the_same(scene);
+    Scene closed = scene;
+    for (Material& material : closed.materials) material.coverage = Coverage::kOpaque;
+    EXPECT_NE(render(scene, with(4, 1.0)).read_floats(Target::kAccessibility),
+              render(closed, with(4, 1.0)).read_floats(Target::kAccessibility));
+}
+
+TEST_F(RaysOfAShader, MeetASceneOfOneTriangle) {
+    Scene one = tests::facing_wall(2.0F);
+    one.meshes[0].indices.resize(3);
+    expect_the_same(one);
+}
+
+TEST_F(RaysOfAShader, LeaveAPlaneOpenAtAnyTiltAndDistance) { expect_open_planes(); }
+
+TEST_F(RaysOfAShader, AreOfTheSceneThatIsDrawn) {
+    const Scene first = boxes_in_a_corner();
+    const auto open = [this](const Scene& scene) {
+        return render(scene, with(4, 1.0)).read_floats(Target::kAccessibility);
+    };
+    const std::vector<float> before = open(first);
+    EXPECT_NE(open(tests::facing_wall(2.0F)), before);
+    EXPECT_EQ(open(first), before);
 }
 
 TEST(BlockSampler, GivesEachPixelAndEachBlockEvenlySpreadDirections) {
