@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <map>
 #include <set>
 #include <string_view>
@@ -113,9 +114,9 @@ void refuse_another_study(const Study& study, const fs::path& folder) {
 }
 
 /// The finished images in the study's order.
-Manifest manifest_of(const Study& study, const FinishedImages& finished) {
-    Manifest manifest{study.name, study.seed, renderer::gpu_renderer(),
-                      {},         {},         base::program_version()};
+Manifest manifest_of(const Study& study, const FinishedImages& finished,
+                     const std::string& gpu_renderer) {
+    Manifest manifest{study.name, study.seed, gpu_renderer, {}, {}, base::program_version()};
     for (const Stimulus& stimulus : stimuli_of(study)) {
         const auto found = finished.find(stimulus.file());
         if (found != finished.end()) manifest.images.push_back(found->second.image);
@@ -251,6 +252,7 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         folder / (selection.shards == 1
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
+    const std::string gpu = renderer::gpu_renderer();
     Twins twins;
     add_twins(finished, folder, twins);
     if (fs::is_directory(selection.known)) {
@@ -259,36 +261,8 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
     Generated generated;
     PairsInTheMaking made;
     base::Progress progress("render", wanted.size(), quiet);
-    for (const Stimulus& stimulus : wanted) {
-        if (selection.buffers) {
-            base::write_file_atomically((folder / stimulus.file()).replace_extension(".exr"),
-                                        renderer::encode_exr(renderer.render_buffers(stimulus)));
-        }
-        if (is_current(finished, stimulus.file())) {
-            ++generated.kept;
-            progress.step(stimulus.file() + " (kept)");
-            continue;
-        }
-        ManifestImage entry;
-        RgbImage image;
-        std::string bytes;
-        const auto twin = twins.find(renderer.inputs_sha256(stimulus));
-        if (twin != twins.end()) {
-            bytes = base::read_file(twin->second.file);
-            image = decode_png(bytes, twin->second.file.string());
-            entry = as_copy(study, stimulus, twin->second.image);
-            ++generated.copied;
-        } else {
-            const renderer::Frame frame = renderer.render_next(stimulus);
-            image = image_of(frame);
-            bytes = encode_png(image);
-            entry = renderer.describe(stimulus, frame);
-            entry.sha256 = base::sha256_hex(bytes);
-            const Brightness brightness = brightness_of(image);
-            entry.mean_luminance = brightness.mean;
-            entry.contrast = brightness.contrast;
-            entry.accuracy = renderer.accuracy(stimulus, frame);
-        }
+    const auto finish = [&](const Stimulus& stimulus, const ManifestImage& entry, RgbImage image,
+                            const std::string& bytes, const std::string& told) {
         if (is_of_one_colour(image)) {
             base::log::warn("warning: {}: the whole image has one colour", stimulus.file());
         }
@@ -296,17 +270,67 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         made.add(entry, std::move(image));
         finished.insert_or_assign(entry.file, Finished{entry, true});
         twins.try_emplace(entry.inputs_sha256, Twin{folder / entry.file, entry});
-        save_manifest(list, manifest_of(study, finished));
+        save_manifest(list, manifest_of(study, finished, gpu));
         ++generated.made;
-        progress.step(twin != twins.end() ? stimulus.file() + " (copied)" : title_of(stimulus));
+        progress.step(told);
+    };
+    // An image is compressed, written and compared while the next one is drawn. What `finish` uses
+    // is left alone until it is done.
+    std::future<void> last;
+    const auto await_last = [&last] {
+        if (last.valid()) last.get();
+    };
+    std::set<std::string> drawn;  // the inputs of images that are finished, or will be
+    for (const auto& [inputs, twin] : twins) drawn.insert(inputs);
+    std::set<std::string> kept;
+    for (const Stimulus& stimulus : wanted) {
+        if (is_current(finished, stimulus.file())) kept.insert(stimulus.file());
     }
+    for (const Stimulus& stimulus : wanted) {
+        if (selection.buffers) {
+            base::write_file_atomically((folder / stimulus.file()).replace_extension(".exr"),
+                                        renderer::encode_exr(renderer.render_buffers(stimulus)));
+        }
+        if (kept.contains(stimulus.file())) {
+            await_last();
+            ++generated.kept;
+            progress.step(stimulus.file() + " (kept)");
+            continue;
+        }
+        const std::string inputs = renderer.inputs_sha256(stimulus);
+        if (drawn.contains(inputs)) {
+            await_last();
+            const Twin& twin = twins.at(inputs);
+            const std::string bytes = base::read_file(twin.file);
+            finish(stimulus, as_copy(study, stimulus, twin.image),
+                   decode_png(bytes, twin.file.string()), bytes, stimulus.file() + " (copied)");
+            ++generated.copied;
+            continue;
+        }
+        const renderer::Frame frame = renderer.render_next(stimulus);
+        ManifestImage entry = renderer.describe(stimulus, frame);
+        entry.accuracy = renderer.accuracy(stimulus, frame);
+        RgbImage image = image_of(frame);
+        drawn.insert(inputs);
+        await_last();
+        last = std::async(std::launch::async, [&finish, &stimulus, entry = std::move(entry),
+                                               image = std::move(image)]() mutable {
+            const std::string bytes = encode_png(image);
+            entry.sha256 = base::sha256_hex(bytes);
+            const Brightness brightness = brightness_of(image);
+            entry.mean_luminance = brightness.mean;
+            entry.contrast = brightness.contrast;
+            finish(stimulus, entry, std::move(image), bytes, title_of(stimulus));
+        });
+    }
+    await_last();
     // Other parts may have finished meanwhile.
     finished = finished_images(study, renderer, folder);
     const std::vector<Stimulus> all = stimuli_of(study);
     generated.complete = std::all_of(all.begin(), all.end(), [&](const Stimulus& stimulus) {
         return is_current(finished, stimulus.file());
     });
-    Manifest manifest = manifest_of(study, finished);
+    Manifest manifest = manifest_of(study, finished, gpu);
     const std::vector<ManifestPair> known = known_pairs(folder);
     manifest.pairs = known;
     manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());

@@ -16,32 +16,6 @@
 namespace obscura::renderer {
 namespace {
 
-gl::Texture make_texture(const PlannedTarget& planned) {
-    const GLenum internal = format_of(planned.format).internal;
-    const bool shadow = planned.extent == Extent::kShadow;
-    const bool layered = shadow || planned.layers > 1;
-    gl::Texture texture =
-        gl::Texture::make(static_cast<GLenum>(layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
-    const GLuint name = texture.name();
-    if (layered) {
-        glTextureStorage3D(name, planned.levels, internal, planned.width, planned.height,
-                           planned.layers);
-    } else {
-        glTextureStorage2D(name, planned.levels, internal, planned.width, planned.height);
-    }
-    if (shadow) {
-        glTextureParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        glTextureParameteri(name, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    }
-    const GLint filter = shadow ? GL_LINEAR : GL_NEAREST;
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
-                        planned.levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : filter);
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
 bool depends_on_the_view_only(Phase phase) {
     return phase == Phase::kGeometry || phase == Phase::kShadow || phase == Phase::kOccluders ||
            phase == Phase::kSecondLayer || phase == Phase::kLight;
@@ -87,7 +61,7 @@ std::vector<PassTime> by_name(const std::vector<PassTime>& times) {
     return sums;
 }
 
-Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) {
+Frame::Frame(FramePlan plan, const ViewBuffers& known, TexturePool& pool) : plan_(std::move(plan)) {
     for (const PlannedPass& pass : plan_.passes) {
         if (!gives_the_same(pass, plan_, known.plan)) continue;
         for (const std::string& buffer : pass.writes) {
@@ -99,8 +73,9 @@ Frame::Frame(FramePlan plan, const ViewBuffers& known) : plan_(std::move(plan)) 
     }
     for (const PlannedTarget& planned : plan_.targets) {
         std::shared_ptr<gl::Texture>& texture = textures_[planned.name];
-        if (!texture) texture = std::make_shared<gl::Texture>(make_texture(planned));
+        if (!texture) texture = pool.take(planned);
     }
+    pool.free_unused();
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw base::failure(
             "the buffers of a {}x{} frame ({} bytes) could not be made: OpenGL "

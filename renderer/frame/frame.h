@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/frame/plan.h"
+#include "renderer/frame/texture_pool.h"
 #include "renderer/gl/handles.h"
 
 namespace obscura::renderer {
@@ -38,7 +39,7 @@ class Frame {
   public:
     /// Takes over, of `known`, the results of every pass whose outcome would be the same to the
     /// bit: the plans agree on needs, options and all the targets that it reads and writes.
-    explicit Frame(FramePlan plan, const ViewBuffers& known = {});
+    Frame(FramePlan plan, const ViewBuffers& known, TexturePool& pool);
 
     [[nodiscard]] const FramePlan& plan() const { return plan_; }
     /// Throws failure for a buffer that the plan has not.

@@ -238,7 +238,7 @@ Frame Renderer::render(const View& view, const Variant& variant, int width, int 
 }
 
 Frame Renderer::draw(const View& view, const FramePlan& plan, const ViewBuffers& known) {
-    Frame frame(plan, known);
+    Frame frame(plan, known, textures_);
     Job job = job_of(view, plan, frame);
     const auto taken = [&frame](Phase phase) {
         const auto& all = frame.taken_over();

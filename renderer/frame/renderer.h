@@ -141,6 +141,7 @@ class Renderer {
 
     StepsBy steps_;
     std::optional<RayBuffers> ray_buffers_;
+    TexturePool textures_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray empty_;
     std::map<std::string, std::unique_ptr<gl::Program>> programs_;
