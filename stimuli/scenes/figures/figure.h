@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,14 @@ struct Eye {
     glm::vec3 iris{0.2F, 0.12F, 0.06F};
 };
 
-/// A card with a few hairs that lies over the edge of the hair: from its root, v, to its end.
+/// A card with a lock of hair: from its root to its end.
 struct Wisp {
-    std::array<glm::vec3, 5> path_m{};
-    glm::vec3 outwards{0.0F, 0.0F, 1.0F};  ///< unit length, away from the head
+    std::vector<glm::vec3> path_m;
+    glm::vec3 inside_m{0.0F};  ///< what it faces away from
     float width_m = 0.01F;
+    float even_rad = 0.0F;  ///< above 0: as wide as that angle about the head's axis instead
+    int strip = 0;          ///< of the material's four; the last one has no gaps
+    float root_shade = 1.0F;
     glm::vec3 colour{0.1F};
 };
 
@@ -70,6 +74,10 @@ struct Figure {
     FigurePart& part(const std::string& part_name, Cloth cloth, float cell_m, float texture_m);
 };
 
+/// The scalp, from the middle of a head 0.235 m high: an ellipsoid that hair is laid over.
+inline constexpr glm::vec3 kScalpMiddle{0.0F, 0.034F, -0.012F};
+inline constexpr glm::vec3 kScalpRadii{0.0755F, 0.083F, 0.0965F};
+
 /// What makes one face differ from another. Lengths are factors of an average man's.
 struct FaceTraits {
     float jaw = 1.0F;      ///< width of the jaw
@@ -79,14 +87,34 @@ struct FaceTraits {
     float nose = 1.0F;     ///< size
     float neck = 1.0F;     ///< girth
     float eyelids = 1.0F;  ///< opening of the eyes
+    float nose_width = 1.0F;
+    float age = 0.8F;      ///< depth of the lines from nose to mouth
+    float slant = 1.0F;    ///< how far the outer corners of the eyes stand up
     float beard = 0.0F;    ///< shade of a shaven beard, [0, 1]
     glm::vec3 skin{0.55F, 0.36F, 0.27F};
     glm::vec3 lip{0.45F, 0.22F, 0.18F};
     glm::vec3 brows{0.08F, 0.05F, 0.035F};
+    float brow_weight = 1.0F;  ///< thickness of the eyebrows
+    glm::vec3 hair{0.09F, 0.055F, 0.035F};
+    std::function<float(float turn_rad)> hairline;  ///< rise by turn, on the scalp: where hair begins
     glm::vec3 iris{0.2F, 0.12F, 0.06F};
 };
+/// A face without eyes, nose and mouth, and the jaw below it.
+[[nodiscard]] ShapePtr face_form(const Placed& at, float scale, const FaceTraits& traits);
+
+/// What the skin's colour is multiplied by at `q`, metres from the middle of a head 0.235 m high:
+/// blood, shadows under the eyes, brows, a shaven beard, and hair where it is too short to be seen
+/// from the side.
+[[nodiscard]] glm::vec3 complexion_at(const glm::vec3& q, const FaceTraits& traits);
+
 /// Face, ears and neck; `at` is the middle of the head at the height of the eyes.
 void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& traits);
+
+/// Where hair begins on the scalp: how far up, by the turn from the forehead, both as angles.
+[[nodiscard]] float short_hairline(float turn_rad);
+[[nodiscard]] float long_hairline(float turn_rad);
+/// The height at `x` of a line through points with rising x.
+[[nodiscard]] float along_line(std::span<const glm::vec2> line, float x);
 
 /// A man's short hair, brushed up and aside; a woman's, drawn back into a ponytail.
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour);

@@ -348,8 +348,10 @@ Figure make_man(const Placed& at) {
     traits.brow = 1.3F;
     traits.jaw = 1.02F;
     traits.neck = 1.08F;
+    traits.hair = {0.085F, 0.052F, 0.032F};
+    traits.hairline = short_hairline;
     add_head(man, head, 1.0F, traits);
-    add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});
+    add_short_hair(man, head, 1.0F, traits.hair);
     return man;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stimuli/scenes/figures/figure.h"
@@ -76,24 +78,53 @@ TextureRecipe hair() {
             }};
 }
 
-/// Single hairs along v, each beginning and ending at its own place.
+/// Four strips of hairs along v, side by side along u, each beginning and ending at its own place;
+/// those of the last strip cover it whole but for its end.
 TextureRecipe wisps() {
-    return {"wisps", 128, 128, glm::vec2(0.02F), [](glm::vec2 uv) {
+    constexpr int kHairs = 20;
+    struct Hair {
+        float at, bend, begins, ends, tone;
+    };
+    std::array<std::array<Hair, kHairs>, 4> strips{};
+    for (int s = 0; s < 4; ++s) {
+        for (int i = 0; i < kHairs; ++i) {
+            const auto own = [&](int which) { return hash_unit(i, which, s, 47); };
+            Hair& hair = strips[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+            hair.at = (static_cast<float>(i) + 0.2F + 0.6F * own(0)) / kHairs;
+            const float off = 2.0F * hair.at - 1.0F;
+            // Hairs come in tufts whose ends are together.
+            const float tuft = hash_unit(i / 4, 9, s, 47);
+            hair.bend = 0.07F * (own(1) - 0.5F) - 0.05F * off;
+            hair.begins = 0.11F * own(2) * own(2) + 0.05F * off * off;
+            hair.ends = 1.0F - 0.26F * tuft - 0.12F * own(3) - 0.18F * off * off;
+            hair.tone = 0.60F + 0.40F * own(4);
+            if (s < 3) continue;
+            hair.begins = -1.0F;
+            hair.ends = 0.99F - 0.10F * tuft - 0.06F * own(3);
+        }
+    }
+    return {"wisps", 512, 256, glm::vec2(0.06F, 0.04F), [strips](glm::vec2 uv) {
+                const auto s = std::min(static_cast<std::size_t>(4.0F * uv.x), std::size_t{3});
+                const float u = 4.0F * uv.x - static_cast<float>(s);
                 Texel texel;
                 texel.opacity = 0.0F;
-                constexpr int kHairs = 3;  // wide enough to be seen whole at the study's distance
-                for (int i = 0; i < kHairs; ++i) {
-                    const auto own = [i](int which) { return hash_unit(i, which, 0, 47); };
-                    const float bend = 0.10F * (own(0) - 0.5F);
-                    const float at = (static_cast<float>(i) + 0.2F + 0.6F * own(1)) / kHairs +
-                                     bend * std::sin(3.0F * uv.y);
-                    const bool there = uv.y > 0.30F * own(2) && uv.y < 0.80F + 0.20F * own(3);
-                    const float thin = 0.13F * (1.0F - 0.85F * uv.y);
-                    if (!there || std::abs(uv.x - at) > thin) continue;
+                texel.albedo = glm::vec3(0.62F);
+                float highest = 0.0F;
+                for (const Hair& hair : strips[s]) {
+                    if (uv.y < hair.begins || uv.y > hair.ends) continue;
+                    const float t = uv.y / hair.ends;
+                    const float thin = 0.040F * std::min(1.0F, 2.6F * (1.0F - t) + 0.25F) *
+                                       std::min(1.0F, 0.35F + 9.0F * (uv.y - hair.begins));
+                    const float off = std::abs(u - hair.at - hair.bend * t * t) / thin;
+                    if (off > 1.0F) continue;
+                    const float high = (1.0F - off * off) * (0.4F + hair.tone);
+                    if (high <= highest) continue;
+                    highest = high;
                     texel.opacity = 1.0F;
-                    texel.albedo = glm::vec3(0.75F + 0.25F * own(4));
+                    texel.albedo = glm::vec3(hair.tone * (0.72F + 0.28F * (1.0F - off * off)));
+                    texel.height_m = 0.0003F * high;
                 }
-                if (texel.opacity == 0.0F) texel.albedo = glm::vec3(0.85F);
+                if (s == 3 && uv.y < 0.80F) texel.opacity = 1.0F;
                 return texel;
             }};
 }

@@ -315,12 +315,18 @@ Figure make_woman(const Placed& at) {
     traits.hollow = 0.45F;
     traits.lips = 1.18F;
     traits.nose = 0.88F;
+    traits.nose_width = 0.84F;
+    traits.age = 0.25F;
+    traits.slant = 2.2F;
+    traits.brow_weight = 0.72F;
     traits.neck = 0.84F;
     traits.eyelids = 1.15F;
     traits.brows = {0.11F, 0.062F, 0.035F};
     traits.iris = {0.10F, 0.16F, 0.12F};
+    traits.hair = {0.15F, 0.075F, 0.038F};
+    traits.hairline = long_hairline;
     add_head(woman, head, 0.945F, traits);
-    add_ponytail(woman, head, 0.945F, {0.15F, 0.075F, 0.038F});
+    add_ponytail(woman, head, 0.945F, traits.hair);
     return woman;
 }
 
