@@ -188,6 +188,20 @@ renderer::Mesh mesh_of(const Figure& figure, const FigurePart& part, const NearF
     return mesh;
 }
 
+void add_overlaid(renderer::Scene& scene, const Figure& figure, const NearField& field) {
+    for (const Overlaid& piece : figure.overlaid) {
+        renderer::Mesh mesh = piece.mesh;
+        paint(mesh, [&](const glm::vec3& p, const glm::vec3& normal) {
+            return glm::vec3(1.0F - 0.5F * occlusion_at(field, p + 0.004F * normal, normal));
+        });
+        mesh.name = figure.name + " " + piece.name;
+        mesh.material = static_cast<std::uint32_t>(piece.cloth);
+        project_box_uv(mesh);
+        for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= piece.texture_m;
+        scene.meshes.push_back(std::move(mesh));
+    }
+}
+
 void add_small_parts(renderer::Scene& scene, const Figure& figure) {
     renderer::Mesh wisps;
     for (const Wisp& wisp : figure.wisps) append(wisps, card_of(wisp));
@@ -221,6 +235,7 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure) {
         meshes[i] = mesh_of(figure, figure.parts[i], field);
     });
     std::move(meshes.begin(), meshes.end(), std::back_inserter(scene.meshes));
+    add_overlaid(scene, figure, field);
     add_small_parts(scene, figure);
 }
 

@@ -21,24 +21,28 @@ float crest(float phase) {
 }
 
 float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, std::uint32_t seed) {
-    const float warp = gradient_noise(at.position_m * 7.0F, seed);
-    const float patchy = gradient_noise(at.position_m * 15.0F, seed + 1);
-    float height = 0.0012F * patchy;
+    const float warp = gradient_noise(at.position_m * 6.0F, seed);
+    const float patchy = gradient_noise(at.position_m * 11.0F, seed + 1);
+    float height = 0.0015F * patchy;
     for (const FoldCentre& centre : centres) {
         const float away = (at.along_m - centre.along_m) / centre.reach_m;
         if (std::abs(away) > 2.0F) continue;
         float turn = at.angle_rad - centre.angle_rad;
         turn -= 2.0F * kPi * std::round(turn / (2.0F * kPi));
         const float side = 0.5F + 0.5F * std::cos(turn);
-        // The folds run together on the inner side of the bend and fan out from there, slanting.
-        const float fan = 0.6F + 0.5F * std::abs(turn) / kPi;
-        const float phase = (at.along_m - centre.along_m) / (centre.spacing_m * fan) + 1.5F * warp +
-                            0.55F * std::sin(turn + away);
+        // A pressed tube buckles in two families of folds that slant either way and meet on the
+        // inner side of the bend; the higher one shows.
+        const float step = (at.along_m - centre.along_m) / centre.spacing_m + 0.9F * warp;
+        const float slant = 1.7F * std::abs(turn) / kPi;
+        const float left = crest(step + slant + 0.35F * turn / kPi);
+        const float right = crest(0.83F * step - slant + 0.35F * turn / kPi + 0.4F);
+        const float over = left - right;
+        const float both = 0.5F * (left + right + std::sqrt(over * over + 0.04F)) - 0.18F;
         // No fold runs all the way round: each fades where the noise says so.
-        const float broken = std::clamp(0.62F + 1.3F * patchy + 0.5F * side, 0.0F, 1.15F);
+        const float broken = std::clamp(0.70F + 1.1F * patchy + 0.4F * side, 0.0F, 1.15F);
         const float strength =
             std::exp(-away * away) * broken * (centre.evenness + (1.0F - centre.evenness) * side);
-        height += 2.0F * centre.height_m * strength * crest(phase);
+        height += 2.0F * centre.height_m * strength * both;
     }
     return height;
 }

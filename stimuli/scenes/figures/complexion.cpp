@@ -30,8 +30,8 @@ float brow_cover(const glm::vec3& q, float weight) {
     const float across = (q.y - middle) / half;
     const float hairs =
         gradient_noise(glm::vec3(x * 300.0F - q.y * 500.0F, q.y * 900.0F, 0.0F), 45);
-    const float edge = 1.0F - std::abs(across) + 0.55F * hairs;
-    return ramp(-0.15F, 0.65F, edge) * ramp(-0.06F, 0.14F, t) * ramp(1.06F, 0.80F, t) *
+    const float edge = 1.0F - std::abs(across) + 0.45F * hairs;
+    return ramp(-0.10F, 0.40F, edge) * ramp(-0.06F, 0.14F, t) * ramp(1.06F, 0.80F, t) *
            (0.78F + 0.22F * hairs);
 }
 
@@ -81,7 +81,7 @@ glm::vec3 complexion_at(const glm::vec3& q, const FaceTraits& traits) {
     const auto covered = [&](const glm::vec3& hair, float share) {
         colour = glm::mix(colour, hair / traits.skin, std::clamp(share, 0.0F, 1.0F));
     };
-    covered(traits.brows, 0.92F * brow_cover(q, traits.brow_weight));
+    covered(traits.brows, 0.97F * brow_cover(q, traits.brow_weight));
     covered(traits.hair * 0.8F, 0.95F * scalp_cover(q, traits.hairline));
     return colour;
 }

@@ -55,15 +55,23 @@ struct Wisp {
     std::vector<glm::vec3> path_m;
     glm::vec3 inside_m{0.0F};  ///< what it faces away from
     float width_m = 0.01F;
-    float even_rad = 0.0F;  ///< above 0: as wide as that angle about the head's axis instead
     int strip = 0;          ///< of the material's four; the last one has no gaps
     float root_shade = 1.0F;
     glm::vec3 colour{0.1F};
 };
 
+/// A finished mesh of a figure: what is too thin or too crisp for a solid's grid.
+struct Overlaid {
+    std::string name;
+    Cloth cloth = Cloth::kLeather;
+    float texture_m = 0.12F;
+    renderer::Mesh mesh;
+};
+
 struct Figure {
     std::string name;
     std::vector<FigurePart> parts;
+    std::vector<Overlaid> overlaid;
     std::vector<Eye> eyes;
     std::vector<Wisp> wisps;
 
@@ -143,6 +151,32 @@ struct FoldCentre {
 /// A layer that lies on `core`, `thick_m` above it, where `region` covers it: straps, belts,
 /// pockets.
 [[nodiscard]] ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region);
+
+/// A ray from outside a solid towards it.
+struct Beam {
+    glm::vec3 from_m{0.0F};
+    glm::vec3 way{0.0F, 0.0F, -1.0F};  ///< unit length
+};
+/// A strap, band, pocket or belt: a sheet that lies on a solid where beams meet it.
+struct OverlayStyle {
+    int columns = 4;  ///< across, along u
+    int rows = 24;    ///< along v
+    float thick_m = 0.003F;
+    glm::vec3 colour{1.0F};
+    int stiff = 1;           ///< over how many rows to each side it bridges hollows
+    bool ring = false;       ///< v goes all round
+    float sunk_m = 0.006F;   ///< how far its underside lies in the solid
+};
+[[nodiscard]] renderer::Mesh overlay(const Sculpture& solid, const OverlayStyle& style,
+                                     const std::function<Beam(float u, float v)>& beam);
+/// Beams for a band of that width along a path near a solid.
+[[nodiscard]] std::function<Beam(float u, float v)> along_path(const std::vector<glm::vec3>& path_m,
+                                                               const glm::vec3& way, float wide_m);
+/// Beams for a belt about the upright axis through `middle`; its left side hangs `slant_m` lower.
+[[nodiscard]] std::function<Beam(float u, float v)> around_body(const Placed& at,
+                                                                const glm::vec3& middle,
+                                                                float radius_m, float high_m,
+                                                                float slant_m);
 
 /// Of a boot: how high its shaft ends above the ground, and its radius there.
 struct Shaft {

@@ -94,7 +94,6 @@ void add_base(Figure& figure, const Scalp& scalp, const std::function<float(floa
             const float rise = glm::mix(0.5F * kTurnHalf - 0.02F, low, t);
             band.path_m.push_back(scalp.place(turn, rise, above_m * (1.0F - 0.6F * t * t)));
         }
-        band.even_rad = 2.0F * kTurnHalf / kBands;
         figure.wisps.push_back(std::move(band));
     }
 }
@@ -114,10 +113,10 @@ float along_line(std::span<const glm::vec2> line, float x) {
 
 float short_hairline(float turn_rad) {
     // Forehead, a recess at the temple, the sideburn, over the ear, and down to the nape.
-    constexpr std::array<glm::vec2, 9> kLine{{{0.0F, 0.40F},
-                                          {0.35F, 0.44F},
-                                          {0.62F, 0.50F},
-                                          {0.90F, 0.36F},
+    constexpr std::array<glm::vec2, 9> kLine{{{0.0F, 0.33F},
+                                          {0.35F, 0.36F},
+                                          {0.62F, 0.43F},
+                                          {0.90F, 0.32F},
                                           {1.12F, 0.05F},
                                           {1.32F, -0.36F},
                                           {1.62F, -0.12F},
@@ -127,10 +126,10 @@ float short_hairline(float turn_rad) {
 }
 
 float long_hairline(float turn_rad) {
-    constexpr std::array<glm::vec2, 8> kLine{{{0.0F, 0.43F},
-                                          {0.35F, 0.43F},
-                                          {0.70F, 0.38F},
-                                          {1.00F, 0.18F},
+    constexpr std::array<glm::vec2, 8> kLine{{{0.0F, 0.35F},
+                                          {0.35F, 0.36F},
+                                          {0.70F, 0.33F},
+                                          {1.00F, 0.14F},
                                           {1.28F, -0.16F},
                                           {1.62F, -0.10F},
                                           {2.00F, -0.55F},

@@ -67,7 +67,7 @@ void HeadModel::skull() {
         solid_.add(blob(x * 0.0265F, -0.0370F, 0.0655F, {0.0165F, 0.0190F, 0.0140F}),
                    flesh(0.016F));
         // The chewing muscle at the jaw's angle.
-        solid_.add(blob(x * 0.0475F * jaw, -0.060F, 0.0100F, {0.0100F, 0.0200F, 0.0180F}),
+        solid_.add(blob(x * 0.0445F * jaw, -0.058F, 0.0110F, {0.0090F, 0.0190F, 0.0170F}),
                    flesh(0.016F));
         if (traits_.hollow < 0.1F) continue;
         solid_.carve(blob(x * 0.0640F * jaw, -0.058F, 0.0520F,
@@ -169,27 +169,27 @@ void HeadModel::mouth() {
     const StrokeStyle lip{scale_ * 0.0030F, traits_.lip, true};
     const float upper = 0.0040F * full;
     const float lower = 0.0052F * full;
-    solid_.add(strip({knot(-0.0255F, -0.0716F, 0.0800F, 0.0012F),
+    solid_.add(strip({knot(-0.0255F, -0.0716F, 0.0805F, 0.0019F),
                       knot(-0.0150F, -0.0690F, 0.0873F, 0.75F * upper),
                       knot(-0.0055F, -0.0668F, 0.0914F, upper),
                       knot(0, -0.0676F, 0.0920F, 0.95F * upper),
                       knot(0.0055F, -0.0668F, 0.0914F, upper),
                       knot(0.0150F, -0.0690F, 0.0873F, 0.75F * upper),
-                      knot(0.0255F, -0.0716F, 0.0800F, 0.0012F)},
+                      knot(0.0255F, -0.0716F, 0.0805F, 0.0019F)},
                      4),
                lip);
-    solid_.add(strip({knot(-0.0240F, -0.0724F, 0.0800F, 0.0012F),
+    solid_.add(strip({knot(-0.0240F, -0.0724F, 0.0805F, 0.0019F),
                       knot(-0.0130F, -0.0752F, 0.0868F, 0.80F * lower),
                       knot(0, -0.0766F, 0.0895F, lower), knot(0.0130F, -0.0752F, 0.0868F, 0.80F * lower),
-                      knot(0.0240F, -0.0724F, 0.0800F, 0.0012F)},
+                      knot(0.0240F, -0.0724F, 0.0805F, 0.0019F)},
                      4),
                lip);
     solid_.carve(
         strip(
-            {knot(-0.0275F, -0.0722F, 0.0815F, 0.0005F), knot(-0.0140F, -0.0712F, 0.0905F, 0.0006F),
-             knot(-0.0050F, -0.0708F, 0.0945F, 0.0006F), knot(0, -0.0716F, 0.0955F, 0.0007F),
-             knot(0.0050F, -0.0708F, 0.0945F, 0.0006F), knot(0.0140F, -0.0712F, 0.0905F, 0.0006F),
-             knot(0.0275F, -0.0722F, 0.0815F, 0.0005F)},
+            {knot(-0.0275F, -0.0722F, 0.0825F, 0.0009F), knot(-0.0140F, -0.0712F, 0.0905F, 0.0009F),
+             knot(-0.0050F, -0.0708F, 0.0945F, 0.0009F), knot(0, -0.0716F, 0.0955F, 0.0009F),
+             knot(0.0050F, -0.0708F, 0.0945F, 0.0009F), knot(0.0140F, -0.0712F, 0.0905F, 0.0009F),
+             knot(0.0275F, -0.0722F, 0.0825F, 0.0009F)},
             4),
         {scale_ * 0.0024F, traits_.lip * glm::vec3(0.30F, 0.25F, 0.25F), true});
     solid_.carve(strip({knot(0, -0.0530F, 0.0955F, 0.0012F), knot(0, -0.0625F, 0.0960F, 0.0016F)}, 3),
@@ -199,37 +199,53 @@ void HeadModel::mouth() {
 }
 
 void HeadModel::ears() {
+    constexpr float kSize = 0.90F;
     for (const float x : kSides) {
         const glm::mat3 lean =
-            at_.axes * axes_from(glm::normalize(glm::vec3(x * 0.35F, 0.0F, -1.0F)),
-                                 glm::normalize(glm::vec3(0.0F, 1.0F, -0.22F)));
-        const StrokeStyle ear{scale_ * 0.004F, traits_.skin * glm::vec3(1.0F, 0.93F, 0.92F), true};
-        solid_.add(ellipsoid(place(x * 0.0755F, -0.010F, -0.006F),
-                             scale_ * glm::vec3(0.0065F, 0.029F, 0.0165F), lean),
+            at_.axes * axes_from(glm::normalize(glm::vec3(x * 0.30F, 0.0F, -1.0F)),
+                                 glm::normalize(glm::vec3(0.0F, 1.0F, -0.24F)));
+        // Places and sizes about the ear's middle.
+        const auto near = [&](float dx, float dy, float dz) {
+            return glm::vec3(x * (0.0715F + kSize * dx), -0.0080F + kSize * dy,
+                             -0.0080F + kSize * dz);
+        };
+        const auto put = [&](float dx, float dy, float dz) {
+            const glm::vec3 p = near(dx, dy, dz);
+            return place(p.x, p.y, p.z);
+        };
+        const auto rim = [&](float dx, float dy, float dz, float w) {
+            return Knot{put(dx, dy, dz), scale_ * kSize * w, 0.0F};
+        };
+        const float size = scale_ * kSize;
+        const StrokeStyle ear{scale_ * 0.0035F, traits_.skin * glm::vec3(1.0F, 0.95F, 0.94F), true};
+        solid_.add(ellipsoid(put(0.0F, 0.0F, 0.0F), size * glm::vec3(0.0055F, 0.0290F, 0.0165F), lean),
                    ear);
-        solid_.carve(ellipsoid(place(x * 0.0835F, -0.008F, -0.004F),
-                               scale_ * glm::vec3(0.0062F, 0.020F, 0.0105F), lean),
-                     {scale_ * 0.003F, traits_.skin * 0.72F, true});
-        solid_.add(strip({knot(x * 0.0745F, -0.004F, 0.012F, 0.0030F),
-                          knot(x * 0.0790F, 0.016F, 0.009F, 0.0032F),
-                          knot(x * 0.0835F, 0.020F, -0.008F, 0.0034F),
-                          knot(x * 0.0855F, 0.006F, -0.021F, 0.0034F),
-                          knot(x * 0.0820F, -0.016F, -0.017F, 0.0034F),
-                          knot(x * 0.0765F, -0.036F, 0.001F, 0.0050F)}),
+        solid_.carve(ellipsoid(put(0.0070F, -0.0010F, 0.0030F),
+                               size * glm::vec3(0.0065F, 0.0160F, 0.0085F), lean),
+                     {scale_ * 0.0025F, traits_.skin * glm::vec3(0.62F, 0.50F, 0.47F), true});
+        solid_.add(strip({rim(-0.0010F, 0.0020F, 0.0140F, 0.0026F), rim(0.0030F, 0.0240F, 0.0110F, 0.0028F),
+                          rim(0.0075F, 0.0290F, -0.0060F, 0.0030F), rim(0.0100F, 0.0130F, -0.0185F, 0.0030F),
+                          rim(0.0070F, -0.0090F, -0.0150F, 0.0028F), rim(0.0015F, -0.0285F, 0.0010F, 0.0046F)}),
                    ear);
-        solid_.add(blob(x * 0.0765F, -0.012F, 0.0125F, {0.0045F, 0.0055F, 0.0035F}), ear);
+        // The fold inside the rim.
+        solid_.add(strip({rim(0.0060F, 0.0170F, 0.0030F, 0.0018F), rim(0.0085F, 0.0110F, -0.0090F, 0.0022F),
+                          rim(0.0070F, -0.0070F, -0.0085F, 0.0020F), rim(0.0040F, -0.0160F, 0.0020F, 0.0024F)}),
+                   ear);
+        solid_.add(ellipsoid(put(0.0015F, -0.0030F, 0.0150F), size * glm::vec3(0.0040F, 0.0058F, 0.0034F),
+                             at_.axes),
+                   ear);
     }
 }
 
 void HeadModel::neck() {
     const float girth = traits_.neck;
-    solid_.add(cone({0, -0.065F, -0.024F}, 0.052F * girth, {0, -0.170F, -0.034F}, 0.056F * girth),
+    solid_.add(cone({0, -0.065F, -0.026F}, 0.049F * girth, {0, -0.170F, -0.034F}, 0.056F * girth),
                flesh(0.022F));
     solid_.add(cone({0, -0.170F, -0.034F}, 0.056F * girth, {0, -0.235F, -0.030F}, 0.080F * girth),
                flesh(0.03F));
     for (const float x : kSides) {
-        solid_.add(strip({knot(x * 0.058F, -0.050F, -0.018F, 0.011F),
-                          knot(x * 0.045F * girth, -0.110F, 0.004F, 0.012F),
+        solid_.add(strip({knot(x * 0.052F, -0.052F, -0.026F, 0.011F),
+                          knot(x * 0.041F * girth, -0.115F, 0.000F, 0.011F),
                           knot(x * 0.018F, -0.190F, 0.026F, 0.009F)}),
                    flesh(0.014F));
     }

@@ -81,7 +81,7 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
 }
 
 void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0084F, 0.08F).solid;
+    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0068F, 0.08F).solid;
     shirt = core;
     shirt.keep(half_space(at(0.0F, 0.925F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                {0.004F, kShirtColour, false});
@@ -130,7 +130,7 @@ void add_collar(Figure& woman, const Placed& at) {
 }
 
 void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0078F, 0.12F).solid;
+    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0062F, 0.12F).solid;
     Sculpture body;
     body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
     body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
@@ -190,7 +190,7 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
 }
 
 void add_trousers(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0098F, 0.06F).solid;
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0078F, 0.06F).solid;
     s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
           {0.0F, kTrouserColour, true});
     s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
@@ -219,7 +219,7 @@ void add_trousers(Figure& woman, const Placed& at) {
                     const float rays =
                         std::sin(26.0F * std::atan2(p.y - 0.785F, std::abs(p.x) + 0.05F) +
                                  2.0F * gradient_noise(p * 9.0F, 71));
-                    return 0.0036F * seat * rays;
+                    return 0.0020F * seat * rays;
                 },
                 0.005F});
 }
@@ -268,24 +268,24 @@ void add_belt(Figure& woman, const Placed& at) {
 }
 
 void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0026F, 0.06F).solid;
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
-        skin.add(tube(make_curve({{p(along(elbow, wrist, 0.42F)), 0.0345F, 0.0F},
-                                  {p(along(elbow, wrist, 0.58F)), 0.0330F, 0.0F},
-                                  {p(along(elbow, wrist, 0.80F)), 0.0265F, 0.0F},
-                                  {p(wrist), 0.0225F, 0.0F}},
-                                 6, at.axes[2])),
-                 {0.012F, colour, true});
+        const auto bone = [&](float from, float thick, float to, float thin) {
+            skin.add(round_cone(p(along(elbow, wrist, from)), thick, p(along(elbow, wrist, to)), thin),
+                     {0.020F, colour, true});
+        };
+        bone(0.42F, 0.0340F, 0.60F, 0.0322F);
+        bone(0.60F, 0.0315F, 1.00F, 0.0218F);
     };
     forearm(kElbowRight, kWristRight);
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.20F));
     add_hand(skin, {p(kWristRight), axes_from(down, at.axes * glm::vec3(-1.0F, 0.0F, 0.25F))},
-             0.90F, 1.0F, {{0.22F, 0.35F, 0.22F}, 0.05F, 0.35F}, colour);
+             0.90F, 1.0F, {{0.20F, 0.34F, 0.22F}, 0.09F, 0.30F}, colour);
     forearm(kElbowLeft, kWristLeft);
     const glm::vec3 rest = at.axes * glm::normalize(glm::vec3(-0.50F, -0.42F, 0.72F));
     add_hand(skin, {p(kWristLeft), axes_from(rest, at.axes * glm::vec3(0.80F, 0.25F, 0.55F))},
-             0.90F, -1.0F, {{0.20F, 0.42F, 0.25F}, 0.07F, -0.15F}, colour);
+             0.90F, -1.0F, {{0.20F, 0.42F, 0.25F}, 0.11F, -0.15F}, colour);
 }
 
 }  // namespace
@@ -300,7 +300,7 @@ Figure make_woman(const Placed& at) {
     add_trousers(woman, at);
     add_belt(woman, at);
     constexpr Shaft kShaft{0.33F, 0.0607F};
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
+    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0064F, 0.12F).solid;
     add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
     add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
     add_arms(woman, at, kSkinColour);
@@ -311,8 +311,8 @@ Figure make_woman(const Placed& at) {
     traits.skin = kSkinColour;
     traits.lip = {0.46F, 0.18F, 0.155F};
     traits.brow = 0.5F;
-    traits.jaw = 0.92F;
-    traits.hollow = 0.45F;
+    traits.jaw = 0.90F;
+    traits.hollow = 0.0F;
     traits.lips = 1.18F;
     traits.nose = 0.88F;
     traits.nose_width = 0.84F;
