@@ -59,15 +59,6 @@ TubeStyle folded(std::vector<FoldCentre> centres, std::uint32_t seed) {
             high};
 }
 
-ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region) {
-    Sculpture result;
-    const ShapePtr inner = as_shape(core);
-    result.add(grown(inner, thick_m));
-    result.keep(region, {0.002F, glm::vec3(1.0F), false});
-    result.carve(grown(inner, -0.012F));
-    return as_shape(std::move(result));
-}
-
 void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
               const glm::vec3& knee, const glm::vec2& toe, float scale, const Shaft& shaft,
               const glm::vec3& colour) {

@@ -66,7 +66,7 @@ glm::vec3 complexion_at(const glm::vec3& q, const FaceTraits& traits) {
     towards(blood, 0.55F * std::clamp((std::abs(q.x) - 0.069F) / 0.010F, 0.0F, 1.0F));
     // The forehead is yellower, the lids and the corners of the eyes redder and darker.
     towards({0.98F, 0.97F, 0.90F}, 0.7F * near({0.015F, 0.045F, 0.080F}, 0.030F));
-    towards({0.76F, 0.66F, 0.68F}, 0.65F * near({0.029F, -0.0125F, 0.078F}, 0.010F));
+    towards({0.76F, 0.66F, 0.68F}, 0.65F * traits.age * near({0.029F, -0.0125F, 0.078F}, 0.010F));
     towards({0.80F, 0.68F, 0.66F}, 0.60F * near({0.031F, 0.0070F, 0.079F}, 0.009F));
     towards({0.78F, 0.64F, 0.62F}, 0.60F * near({0.0165F, -0.002F, 0.078F}, 0.006F));
     towards({0.84F, 0.74F, 0.72F}, 0.50F * near({0.0270F, -0.073F, 0.083F}, 0.007F));

@@ -96,6 +96,8 @@ struct FaceTraits {
     float neck = 1.0F;     ///< girth
     float eyelids = 1.0F;  ///< opening of the eyes
     float nose_width = 1.0F;
+    float nose_length = 1.0F;
+    float cheeks = 0.0F;   ///< fullness of the cheeks, [0, 1]
     float age = 0.8F;      ///< depth of the lines from nose to mouth
     float slant = 1.0F;    ///< how far the outer corners of the eyes stand up
     float beard = 0.0F;    ///< shade of a shaven beard, [0, 1]
@@ -148,10 +150,6 @@ struct FoldCentre {
 };
 [[nodiscard]] TubeStyle folded(std::vector<FoldCentre> centres, std::uint32_t seed);
 
-/// A layer that lies on `core`, `thick_m` above it, where `region` covers it: straps, belts,
-/// pockets.
-[[nodiscard]] ShapePtr layer(const Sculpture& core, float thick_m, const ShapePtr& region);
-
 /// A ray from outside a solid towards it.
 struct Beam {
     glm::vec3 from_m{0.0F};
@@ -175,8 +173,8 @@ struct OverlayStyle {
 /// Beams for a belt about the upright axis through `middle`; its left side hangs `slant_m` lower.
 [[nodiscard]] std::function<Beam(float u, float v)> around_body(const Placed& at,
                                                                 const glm::vec3& middle,
-                                                                float radius_m, float high_m,
-                                                                float slant_m);
+                                                                const glm::vec2& radii_m,
+                                                                float high_m, float slant_m);
 
 /// Of a boot: how high its shaft ends above the ground, and its radius there.
 struct Shaft {

@@ -62,13 +62,16 @@ void HeadModel::skull() {
         // The temples are a little hollow, the cheekbones stand out.
         solid_.carve(blob(x * 0.0745F, 0.022F, 0.050F, {0.0085F, 0.022F, 0.020F}),
                      {scale_ * 0.020F, traits_.skin, false});
-        solid_.add(blob(x * 0.0440F, -0.0235F, 0.0500F, {0.0205F, 0.0135F, 0.0180F}),
+        solid_.add(blob(x * 0.0430F, -0.0235F, 0.0500F, {0.0200F, 0.0140F, 0.0178F}),
                    flesh(0.018F));
         solid_.add(blob(x * 0.0265F, -0.0370F, 0.0655F, {0.0165F, 0.0190F, 0.0140F}),
                    flesh(0.016F));
         // The chewing muscle at the jaw's angle.
         solid_.add(blob(x * 0.0445F * jaw, -0.058F, 0.0110F, {0.0090F, 0.0190F, 0.0170F}),
                    flesh(0.016F));
+        solid_.add(blob(x * 0.0385F, -0.0500F, 0.0500F,
+                        glm::vec3(0.0150F, 0.0210F, 0.0210F) + 0.0040F * traits_.cheeks),
+                   flesh(0.020F));
         if (traits_.hollow < 0.1F) continue;
         solid_.carve(blob(x * 0.0640F * jaw, -0.058F, 0.0520F,
                           glm::vec3(0.0080F, 0.0190F, 0.0190F) * traits_.hollow),
@@ -115,8 +118,8 @@ void HeadModel::lids() {
         // What hangs over the upper lid from the brow.
         solid_.add(strip({knot(x * 0.0190F, eye.y + 0.0070F, 0.0765F, 0.0030F),
                           knot(x * 0.0310F, eye.y + 0.0112F, 0.0775F, 0.0036F),
-                          knot(x * 0.0420F, eye.y + 0.0090F, 0.0725F, 0.0036F),
-                          knot(x * 0.0500F, eye.y + 0.0020F, 0.0645F, 0.0030F)}),
+                          knot(x * 0.0420F, eye.y + 0.0104F, 0.0720F, 0.0034F),
+                          knot(x * 0.0500F, eye.y + 0.0062F, 0.0640F, 0.0028F)}),
                    flesh(0.006F));
         solid_.add(lid({eye.x - x * 0.001F, eye.y + 0.0040F * open, eye.z + 0.0120F}, 0.0015F, true),
                    {scale_ * 0.0028F, traits_.skin * 0.90F, true});
@@ -129,34 +132,35 @@ void HeadModel::lids() {
 void HeadModel::nose() {
     const float n = traits_.nose;
     const float wide = traits_.nose_width;
+    const float l = traits_.nose_length;
     solid_.add(strip({knot(0, 0.0130F, 0.0835F, 0.0065F),
                       knot(0, -0.0010F, 0.0855F, 0.0058F + 0.0008F * wide),
-                      knot(0, -0.0150F, 0.0920F + 0.0030F * n, 0.0060F * wide),
-                      knot(0, -0.0290F, 0.0975F + 0.0050F * n, 0.0074F * wide)}),
+                      knot(0, -0.0150F * l, 0.0920F + 0.0030F * n, 0.0060F * wide),
+                      knot(0, -0.0290F * l, 0.0975F + 0.0050F * n, 0.0074F * wide)}),
                flesh(0.009F));
     for (const float x : kSides) {
         solid_.add(cone({x * 0.0060F, -0.0040F, 0.0800F}, 0.0060F,
-                        {x * 0.0105F * wide, -0.0360F, 0.0910F}, 0.0085F),
+                        {x * 0.0105F * wide, -0.0360F * l, 0.0910F}, 0.0085F),
                    flesh(0.010F));
     }
-    solid_.add(blob(0, -0.0385F, 0.0990F + 0.0065F * n,
+    solid_.add(blob(0, -0.0385F * l, 0.0990F + 0.0065F * n,
                     glm::vec3(0.0100F * wide, 0.0088F, 0.0090F)),
                flesh(0.006F));
-    solid_.add(cone({0, -0.0440F, 0.0970F + 0.0050F * n}, 0.0045F, {0, -0.0500F, 0.0915F}, 0.0045F),
+    solid_.add(cone({0, -0.0440F * l, 0.0970F + 0.0050F * n}, 0.0045F, {0, -0.0500F * l, 0.0915F}, 0.0045F),
                flesh(0.005F));
     for (const float x : kSides) {
-        solid_.add(blob(x * 0.0122F * wide, -0.0425F, 0.0935F,
+        solid_.add(blob(x * 0.0122F * wide, -0.0425F * l, 0.0935F,
                         glm::vec3(0.0062F * wide, 0.0072F, 0.0098F)),
                    flesh(0.004F));
-        solid_.carve(cone({x * 0.0058F * wide, -0.0495F, 0.1010F}, 0.0026F,
-                          {x * 0.0082F * wide, -0.0490F, 0.0945F}, 0.0030F),
+        solid_.carve(cone({x * 0.0058F * wide, -0.0495F * l, 0.1010F}, 0.0026F,
+                          {x * 0.0082F * wide, -0.0490F * l, 0.0945F}, 0.0030F),
                      {scale_ * 0.0020F, traits_.skin * glm::vec3(0.30F, 0.22F, 0.20F), true});
         // The crease round the wing of the nose, and from it towards the mouth's corner.
-        solid_.carve(strip({knot(x * 0.0180F * wide, -0.0350F, 0.0905F, 0.0008F),
-                            knot(x * 0.0205F * wide, -0.0430F, 0.0890F, 0.0010F),
-                            knot(x * 0.0175F * wide, -0.0500F, 0.0900F, 0.0008F)}),
+        solid_.carve(strip({knot(x * 0.0180F * wide, -0.0350F * l, 0.0905F, 0.0008F),
+                            knot(x * 0.0205F * wide, -0.0430F * l, 0.0890F, 0.0010F),
+                            knot(x * 0.0175F * wide, -0.0500F * l, 0.0900F, 0.0008F)}),
                      {scale_ * 0.0040F, traits_.skin * 0.88F, true});
-        solid_.carve(strip({knot(x * 0.0225F, -0.0440F, 0.0880F, 0.0010F),
+        solid_.carve(strip({knot(x * 0.0225F, -0.0440F * l, 0.0880F, 0.0010F),
                             knot(x * 0.0290F, -0.0560F, 0.0850F, 0.0012F),
                             knot(x * 0.0330F, -0.0680F, 0.0790F, 0.0010F)}),
                      {scale_ * 0.0070F * traits_.age, traits_.skin, false});

@@ -66,10 +66,10 @@ void add_sleeve(Sculpture& jacket, Sculpture& cuffs, const Placed& at, const glm
                                   {p(cuff), 0.044F, 0.0F}},
                                  7, at.axes[2]);
     jacket.add(
-        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0064F, 0.042F, 0.30F},
-                          {0.10F * upper, 0.09F, 2.4F, 0.0042F, 0.048F, 0.25F},
-                          {0.55F * upper, 0.10F, inner_rad + 1.5F, 0.0040F, 0.055F, 0.40F},
-                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
+        tube(arm, folded({{1.12F * upper, 0.11F, inner_rad, 0.0070F, 0.062F, 0.30F},
+                          {0.12F * upper, 0.10F, 2.4F, 0.0050F, 0.075F, 0.25F},
+                          {0.60F * upper, 0.12F, inner_rad + 1.5F, 0.0036F, 0.090F, 0.40F},
+                          {1.12F * upper + 0.70F * lower, 0.07F, 0.5F, 0.0042F, 0.040F, 0.60F}},
                          seed)),
         {0.022F, kJacketColour, true});
     // The cuff is finer than the jacket's cells: a mesh of its own.
@@ -261,13 +261,13 @@ void add_straps(Figure& man, const Placed& at, const Sculpture& clothes) {
             along_path({at(x * 0.112F, 1.62F, 0.075F), at(x * 0.112F, 1.62F, -0.115F)},
                        at.axes * glm::vec3(0.0F, -1.0F, 0.0F), 0.036F));
     }
-    put("chest strap", {.columns = 4, .rows = 30, .thick_m = 0.0034F, .colour = kLeatherColour, .stiff = 2},
+    put("chest strap", {.columns = 4, .rows = 30, .thick_m = 0.0070F, .colour = kLeatherColour, .stiff = 2},
         along_path({at(-0.118F, 1.262F, 0.22F), at(0.0F, 1.256F, 0.22F), at(0.118F, 1.262F, 0.22F)},
                    back, 0.030F));
     put("belt",
         {.columns = 4, .rows = 72, .thick_m = 0.0060F, .colour = kLeatherColour, .stiff = 3, .ring = true,
          .sunk_m = 0.012F},
-        around_body(at, {0.0F, 0.958F, -0.004F}, 0.30F, 0.046F, 0.0F));
+        around_body(at, {0.0F, 0.958F, -0.004F}, {0.212F, 0.190F}, 0.046F, 0.0F));
 }
 
 void add_harness(Figure& man, const Placed& at) {
@@ -374,6 +374,7 @@ Figure make_man(const Placed& at) {
     traits.neck = 1.06F;
     traits.nose_width = 0.92F;
     traits.hair = {0.085F, 0.052F, 0.032F};
+    traits.cheeks = 0.25F;
     traits.hairline = short_hairline;
     add_head(man, head, 1.0F, traits);
     add_short_hair(man, head, 1.0F, traits.hair);

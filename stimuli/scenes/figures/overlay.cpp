@@ -31,10 +31,29 @@ class Grid {
     std::vector<T> values_;
 };
 
+constexpr float kFurthest_m = 0.20F;
+
+/// What of a solid a row of beams may meet.
+struct Nearby {
+    const Sculpture& solid;
+    std::vector<Sculpture::Part> parts;
+    std::vector<ShapePtr> owners;
+
+    Nearby(const Sculpture& whole, const Beam& first, const Beam& last) : solid(whole) {
+        const glm::vec3 middle = 0.5F * (first.from_m + last.from_m) +
+                                 0.25F * kFurthest_m * (first.way + last.way);
+        const float radius_m = 0.5F * kFurthest_m + 0.5F * glm::distance(first.from_m, last.from_m);
+        parts = solid.near(middle, radius_m, solid.parts());
+        solid.localise(middle, radius_m, parts, owners);
+    }
+    [[nodiscard]] float distance(const glm::vec3& p) const {
+        return parts.empty() ? kFurthest_m : solid.distance(p, parts);
+    }
+};
+
 /// How far it is from `start` along `way` to the solid.
-float travel_to(const Sculpture& solid, const glm::vec3& start, const glm::vec3& way) {
+float travel_to(const Nearby& solid, const glm::vec3& start, const glm::vec3& way) {
     constexpr int kSteps = 16;
-    constexpr float kFurthest_m = 0.20F;
     float travel = 0.0F;
     for (int i = 0; i < kSteps; ++i) {
         const float free_m = solid.distance(start + way * travel);
@@ -56,7 +75,10 @@ renderer::Mesh overlay(const Sculpture& solid, const OverlayStyle& style,
         for (int u = 0; u < columns; ++u) {
             beams.at(u, v) = beam(static_cast<float>(u) / static_cast<float>(style.columns),
                                   static_cast<float>(v) / static_cast<float>(style.rows));
-            travel.at(u, v) = travel_to(solid, beams.at(u, v).from_m, beams.at(u, v).way);
+        }
+        const Nearby nearby(solid, beams.at(0, v), beams.at(columns - 1, v));
+        for (int u = 0; u < columns; ++u) {
+            travel.at(u, v) = travel_to(nearby, beams.at(u, v).from_m, beams.at(u, v).way);
         }
     }
     // It bridges what is narrower than it can bend: the outermost of the neighbours, then a mean.
@@ -150,13 +172,16 @@ std::function<Beam(float u, float v)> along_path(const std::vector<glm::vec3>& p
 }
 
 std::function<Beam(float u, float v)> around_body(const Placed& at, const glm::vec3& middle,
-                                                  float radius_m, float high_m, float slant_m) {
+                                                  const glm::vec2& radii_m, float high_m,
+                                                  float slant_m) {
     return [=](float u, float v) {
         const float angle = 2.0F * 3.14159265F * v;
         const glm::vec3 out(std::sin(angle), 0.0F, std::cos(angle));
-        const glm::vec3 from = middle + radius_m * out +
-                               glm::vec3(0.0F, high_m * (u - 0.5F) - slant_m * out.x, 0.0F);
-        return Beam{at(from.x, from.y, from.z), at.axes * -out};
+        const glm::vec3 off(radii_m.x * out.x, high_m * (u - 0.5F) - slant_m * out.x,
+                            radii_m.y * out.z);
+        const glm::vec3 from = middle + off;
+        return Beam{at(from.x, from.y, from.z),
+                    at.axes * -glm::normalize(glm::vec3(off.x, 0.0F, off.z))};
     };
 }
 

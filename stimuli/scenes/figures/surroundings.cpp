@@ -15,7 +15,7 @@ namespace {
 
 /// Plain weave: threads over and under, the relief of a cloth.
 TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, float twill) {
-    return {name, 384, 384, glm::vec2(size_m), [=](glm::vec2 uv) {
+    return {name, 512, 512, glm::vec2(size_m), [=](glm::vec2 uv) {
                 const glm::vec2 q = uv * static_cast<float>(threads);
                 const float pi = 3.1415926F;
                 const float warp = std::abs(std::sin(pi * q.x));
@@ -194,11 +194,11 @@ void add_materials(renderer::Scene& scene) {
                                .specular_intensity = 0.6F,
                                .specular_power = 120.0F});
     add_material(scene, {.name = "jacket", .specular_intensity = 0.05F, .specular_power = 12.0F},
-                 weave("canvas", 64, 0.10F, 0.00012F, 0.0F));
+                 weave("canvas", 64, 0.10F, 0.00009F, 0.0F));
     add_material(scene, {.name = "shirt", .specular_intensity = 0.03F, .specular_power = 10.0F},
                  weave("linen", 64, 0.08F, 0.00008F, 0.0F));
     add_material(scene, {.name = "trousers", .specular_intensity = 0.03F, .specular_power = 10.0F},
-                 weave("twill", 48, 0.06F, 0.00015F, 1.0F));
+                 weave("twill", 64, 0.08F, 0.00005F, 1.0F));
     add_material(scene, {.name = "leather", .specular_intensity = 0.07F}, leather());
     scene.materials.push_back({.name = "metal",
                                .albedo = glm::vec3(1.0F),
