@@ -68,8 +68,16 @@ struct Overlaid {
     renderer::Mesh mesh;
 };
 
+/// What stands on the ground: from heel to toe.
+struct Sole {
+    glm::vec3 heel_m{0.0F};
+    glm::vec3 toe_m{0.0F};
+    float radius_m = 0.04F;
+};
+
 struct Figure {
     std::string name;
+    std::vector<Sole> soles;
     std::vector<FigurePart> parts;
     std::vector<Overlaid> overlaid;
     std::vector<Eye> eyes;
@@ -94,6 +102,7 @@ struct FaceTraits {
     float lips = 1.0F;     ///< fullness
     float nose = 1.0F;     ///< size
     float neck = 1.0F;     ///< girth
+    float throat = 1.0F;   ///< how far the larynx stands out; 0: not at all
     float eyelids = 1.0F;  ///< opening of the eyes
     float nose_width = 1.0F;
     float nose_length = 1.0F;
@@ -183,8 +192,8 @@ struct Shaft {
 };
 
 /// `ankle` is where a boot stands, `toe` which way it points in the ground plane, `knee` what its
-/// shaft slants towards.
-void add_boot(Sculpture& leather, const Placed& person, const glm::vec3& ankle,
+/// shaft slants towards. Its upper is added to `leather`; sole and laces to the figure.
+void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const glm::vec3& ankle,
               const glm::vec3& knee, const glm::vec2& toe, float scale, const Shaft& shaft,
               const glm::vec3& colour);
 
@@ -200,6 +209,9 @@ void add_materials(renderer::Scene& scene);
 
 /// Floor and low wall.
 void add_surroundings(renderer::Scene& scene);
+
+/// Darkens the floor where people stand on it, as their own colours are in their folds.
+void paint_contact(renderer::Scene& scene, const std::vector<Sole>& soles);
 
 /// The front of a house across the street behind them.
 void add_backdrop(renderer::Scene& scene);

@@ -130,8 +130,8 @@ float long_hairline(float turn_rad) {
                                           {0.35F, 0.36F},
                                           {0.70F, 0.33F},
                                           {1.00F, 0.14F},
-                                          {1.28F, -0.16F},
-                                          {1.62F, -0.10F},
+                                          {1.28F, -0.24F},
+                                          {1.62F, -0.20F},
                                           {2.00F, -0.55F},
                                           {3.20F, -0.90F}}};
     return along_line(kLine, turn_rad);

@@ -190,12 +190,12 @@ void HeadModel::mouth() {
                lip);
     solid_.carve(
         strip(
-            {knot(-0.0275F, -0.0722F, 0.0825F, 0.0009F), knot(-0.0140F, -0.0712F, 0.0905F, 0.0009F),
-             knot(-0.0050F, -0.0708F, 0.0945F, 0.0009F), knot(0, -0.0716F, 0.0955F, 0.0009F),
-             knot(0.0050F, -0.0708F, 0.0945F, 0.0009F), knot(0.0140F, -0.0712F, 0.0905F, 0.0009F),
-             knot(0.0275F, -0.0722F, 0.0825F, 0.0009F)},
+            {knot(-0.0255F, -0.0719F, 0.0822F, 0.0011F), knot(-0.0140F, -0.0712F, 0.0893F, 0.0012F),
+             knot(-0.0050F, -0.0708F, 0.0938F, 0.0012F), knot(0, -0.0716F, 0.0948F, 0.0012F),
+             knot(0.0050F, -0.0708F, 0.0938F, 0.0012F), knot(0.0140F, -0.0712F, 0.0893F, 0.0012F),
+             knot(0.0255F, -0.0719F, 0.0822F, 0.0011F)},
             4),
-        {scale_ * 0.0024F, traits_.lip * glm::vec3(0.30F, 0.25F, 0.25F), true});
+        {scale_ * 0.0030F, traits_.lip * glm::vec3(0.34F, 0.28F, 0.28F), true});
     solid_.carve(strip({knot(0, -0.0530F, 0.0955F, 0.0012F), knot(0, -0.0625F, 0.0960F, 0.0016F)}, 3),
                  {scale_ * 0.006F, traits_.skin, false});
     solid_.carve(blob(0, -0.0885F, 0.0945F, {0.0150F, 0.0040F, 0.0050F}),
@@ -248,12 +248,14 @@ void HeadModel::neck() {
     solid_.add(cone({0, -0.170F, -0.034F}, 0.056F * girth, {0, -0.235F, -0.030F}, 0.080F * girth),
                flesh(0.03F));
     for (const float x : kSides) {
-        solid_.add(strip({knot(x * 0.052F, -0.052F, -0.026F, 0.011F),
-                          knot(x * 0.041F * girth, -0.115F, 0.000F, 0.011F),
+        solid_.add(strip({knot(x * 0.044F, -0.058F, -0.026F, 0.009F),
+                          knot(x * 0.038F * girth, -0.115F, -0.001F, 0.010F),
                           knot(x * 0.018F, -0.190F, 0.026F, 0.009F)}),
                    flesh(0.014F));
     }
-    solid_.add(blob(0, -0.140F, 0.020F, {0.010F, 0.014F, 0.010F * girth}), flesh(0.014F));
+    if (traits_.throat > 0.0F) {
+        solid_.add(blob(0, -0.140F, 0.020F, {0.010F, 0.014F, 0.010F * traits_.throat}), flesh(0.014F));
+    }
 }
 
 /// Lashes of the upper lid, finer than the head's cells: a mesh of its own.

@@ -356,12 +356,15 @@ Figure make_man(const Placed& at) {
     clothes.add(as_shape(add_trousers(man, at)));
     add_harness(man, at);
     add_straps(man, at, clothes);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0064F, 0.12F).solid;
+    Sculpture boots;
     // So low and narrow that no fold of the trousers over it lets it through.
     constexpr Shaft kShaft{0.215F, 0.054F};
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
+    add_boot(man, boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
              kLeatherColour * 0.9F);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft, kLeatherColour * 0.9F);
+    add_boot(man, boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft, kLeatherColour * 0.9F);
+    FigurePart& worn = man.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    worn.solid = std::move(boots);
+    worn.painted_shade = 0.4F;
     add_hands(man, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(0.16F, -0.02F, 1.0F));
     const Placed head{at(0.0F, 1.680F, 0.030F),

@@ -302,9 +302,12 @@ Figure make_woman(const Placed& at) {
     clothes.add(as_shape(add_trousers(woman, at)));
     add_belt(woman, at, clothes);
     constexpr Shaft kShaft{0.33F, 0.0607F};
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0064F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    Sculpture boots;
+    add_boot(woman, boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    add_boot(woman, boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    FigurePart& worn = woman.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    worn.solid = std::move(boots);
+    worn.painted_shade = 0.4F;
     add_arms(woman, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(-0.16F, 0.0F, 1.0F));
     const Placed head{at(0.0F, 1.578F, 0.026F),
@@ -324,6 +327,7 @@ Figure make_woman(const Placed& at) {
     traits.slant = 2.2F;
     traits.brow_weight = 0.72F;
     traits.neck = 0.84F;
+    traits.throat = 0.0F;
     traits.eyelids = 1.18F;
     traits.brows = {0.11F, 0.062F, 0.035F};
     traits.iris = {0.10F, 0.16F, 0.12F};
