@@ -68,7 +68,7 @@ class FaceForm final : public Shape {
             -2.0F * (tx * tx * slope.x / row.x + tz * (slope.y + tz * deep_slope) / deep),
             2.0F * tz / deep);
         // Where the outline shrinks fast the first order says too little far from the surface.
-        const float level = 1.6F * std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
+        const float level = 3.2F * std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
         gradient.y = std::clamp(gradient.y, -level, level);
         const float steep = glm::length(gradient);
         const float root = std::sqrt(f);

@@ -185,6 +185,18 @@ struct OverlayStyle {
                                                                 const glm::vec2& radii_m,
                                                                 float high_m, float slant_m);
 
+/// A collar that is turned down on what is worn.
+struct CollarCut {
+    glm::vec3 neck_m{0.0F};  ///< middle of its fold at the nape's height
+    float radius_m = 0.06F;  ///< of the fold
+    float open_rad = 0.35F;  ///< how far it stops from the middle in front
+    float drop_m = 0.05F;    ///< how much lower it is there
+    float wide_m = 0.035F;   ///< at the nape
+    float point_m = 0.06F;   ///< at its points
+};
+void add_collar(Figure& figure, const Placed& at, const Sculpture& clothes, const CollarCut& cut,
+                Cloth cloth, float texture_m, const glm::vec3& colour);
+
 /// Of a boot: how high its shaft ends above the ground, and its radius there.
 struct Shaft {
     float high_m;

@@ -32,6 +32,12 @@ class HeadModel {
     }
 
   private:
+    /// How far in front of the ears a solid's skin is.
+    [[nodiscard]] float front_of(const Sculpture& solid, float x, float y) const {
+        float z = 0.125F;
+        for (int i = 0; i < 12; ++i) z -= 0.8F * solid.distance(place(x, y, z)) / scale_;
+        return z;
+    }
     [[nodiscard]] StrokeStyle flesh(float blend) const {
         return {scale_ * blend, traits_.skin, true};
     }
@@ -173,29 +179,33 @@ void HeadModel::mouth() {
     const StrokeStyle lip{scale_ * 0.0030F, traits_.lip, true};
     const float upper = 0.0040F * full;
     const float lower = 0.0052F * full;
-    solid_.add(strip({knot(-0.0255F, -0.0716F, 0.0805F, 0.0019F),
-                      knot(-0.0150F, -0.0690F, 0.0873F, 0.75F * upper),
-                      knot(-0.0055F, -0.0668F, 0.0914F, upper),
-                      knot(0, -0.0676F, 0.0920F, 0.95F * upper),
-                      knot(0.0055F, -0.0668F, 0.0914F, upper),
-                      knot(0.0150F, -0.0690F, 0.0873F, 0.75F * upper),
-                      knot(0.0255F, -0.0716F, 0.0805F, 0.0019F)},
-                     4),
+    // All of it lies on the mouth's mound, wherever cheeks and jaw have left that.
+    const Sculpture mound = solid_;
+    const auto line = [&](const std::vector<glm::vec4>& half) {
+        std::vector<Knot> knots;
+        for (const float x : kSides) {
+            for (std::size_t i = 0; i < half.size(); ++i) {
+                const glm::vec4& k = x < 0.0F ? half[i] : half[half.size() - 1 - i];
+                if (x > 0.0F && i == 0 && k.x == 0.0F) continue;  // the middle is there already
+                knots.push_back(knot(x * k.x, k.y, front_of(mound, x * k.x, k.y) + k.z, k.w));
+            }
+        }
+        return strip(knots, 5);
+    };
+    solid_.add(line({{0.0245F, -0.0716F, -0.0010F, 0.0020F},
+                     {0.0150F, -0.0692F, -0.0006F, 0.80F * upper},
+                     {0.0055F, -0.0668F, -0.0002F, upper},
+                     {0.0F, -0.0677F, -0.0004F, 0.95F * upper}}),
                lip);
-    solid_.add(strip({knot(-0.0240F, -0.0724F, 0.0805F, 0.0019F),
-                      knot(-0.0130F, -0.0752F, 0.0868F, 0.80F * lower),
-                      knot(0, -0.0766F, 0.0895F, lower), knot(0.0130F, -0.0752F, 0.0868F, 0.80F * lower),
-                      knot(0.0240F, -0.0724F, 0.0805F, 0.0019F)},
-                     4),
+    solid_.add(line({{0.0235F, -0.0724F, -0.0012F, 0.0020F},
+                     {0.0130F, -0.0754F, -0.0010F, 0.84F * lower},
+                     {0.0F, -0.0768F, -0.0008F, lower}}),
                lip);
-    solid_.carve(
-        strip(
-            {knot(-0.0255F, -0.0719F, 0.0822F, 0.0011F), knot(-0.0140F, -0.0712F, 0.0893F, 0.0012F),
-             knot(-0.0050F, -0.0708F, 0.0938F, 0.0012F), knot(0, -0.0716F, 0.0948F, 0.0012F),
-             knot(0.0050F, -0.0708F, 0.0938F, 0.0012F), knot(0.0140F, -0.0712F, 0.0893F, 0.0012F),
-             knot(0.0255F, -0.0719F, 0.0822F, 0.0011F)},
-            4),
-        {scale_ * 0.0030F, traits_.lip * glm::vec3(0.34F, 0.28F, 0.28F), true});
+    solid_.carve(line({{0.0258F, -0.0722F, 0.0006F, 0.0011F},
+                       {0.0145F, -0.0714F, 0.60F * upper, 0.0012F},
+                       {0.0050F, -0.0709F, 0.78F * upper, 0.0012F},
+                       {0.0F, -0.0717F, 0.80F * upper, 0.0012F}}),
+                 {scale_ * 0.0026F, traits_.lip * glm::vec3(0.34F, 0.28F, 0.28F), true});
     solid_.carve(strip({knot(0, -0.0530F, 0.0955F, 0.0012F), knot(0, -0.0625F, 0.0960F, 0.0016F)}, 3),
                  {scale_ * 0.006F, traits_.skin, false});
     solid_.carve(blob(0, -0.0885F, 0.0945F, {0.0150F, 0.0040F, 0.0050F}),

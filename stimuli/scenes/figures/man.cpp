@@ -118,26 +118,8 @@ Sculpture add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     add_sleeve(jacket, cuffs, at, kShoulderRight, kElbowRight, kWristRight, 0.3F, 101);
     add_sleeve(jacket, cuffs, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.9F, 202);
     man.part("cuffs", Cloth::kJacket, 0.0052F, 0.10F).solid = std::move(cuffs);
-    // Collar: stands at the neck and falls open in front.
-    const Curve collar = make_curve({{at(0.030F, 1.475F, 0.078F), 0.008F, 0.022F},
-                                     {at(0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
-                                     {at(0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
-                                     {at(0.0F, 1.560F, -0.088F), 0.009F, 0.028F},
-                                     {at(-0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
-                                     {at(-0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
-                                     {at(-0.030F, 1.475F, 0.078F), 0.008F, 0.022F}},
-                                    7, at.axes[1]);
-    Curve standing = collar;
-    for (CurvePoint& point : standing) {
-        const glm::vec3 out = point.position_m - at(0.0F, 1.44F, -0.02F);
-        point.normal = glm::normalize(out - at.axes[1] * (0.55F * glm::dot(out, at.axes[1])));
-    }
-    rebuild_frames(standing);
     jacket.carve(round_cone(at(0.0F, 1.50F, -0.02F), 0.062F, at(0.0F, 1.62F, 0.01F), 0.075F),
                  {0.006F, kJacketColour, false});
-    // Thinner than the jacket's cells: a mesh of its own.
-    man.part("collar", Cloth::kJacket, 0.0042F, 0.10F)
-        .solid.add(tube(standing), {0.0F, kJacketColour * 0.85F, true});
     jacket.displace(
         {[at](const glm::vec3& world) {
              const glm::vec3 p = (world - at.origin_m) * at.axes;
@@ -154,6 +136,10 @@ Sculpture add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
          0.010F});
     man.part("jacket", Cloth::kJacket, 0.0070F, 0.10F).solid = jacket;
     add_placket_and_pockets(man, at, jacket);
+    add_collar(man, at, jacket,
+               {.neck_m = {0.0F, 1.562F, -0.014F}, .radius_m = 0.066F, .open_rad = 0.42F,
+                .drop_m = 0.072F, .wide_m = 0.038F, .point_m = 0.066F},
+               Cloth::kJacket, 0.10F, kJacketColour * 0.88F);
     return jacket;
 }
 
@@ -249,20 +235,20 @@ void add_straps(Figure& man, const Placed& at, const Sculpture& clothes) {
     for (const float x : kSides) {
         // Over the shoulder, down the chest to the belt, and as far on the back.
         put("strap", strap,
-            along_path({at(x * 0.112F, 1.520F, 0.12F), at(x * 0.118F, 1.40F, 0.20F),
-                        at(x * 0.116F, 1.25F, 0.20F), at(x * 0.104F, 1.10F, 0.20F),
+            along_path({at(x * 0.128F, 1.520F, 0.12F), at(x * 0.126F, 1.40F, 0.20F),
+                        at(x * 0.120F, 1.25F, 0.20F), at(x * 0.104F, 1.10F, 0.20F),
                         at(x * 0.096F, 0.950F, 0.20F)},
                        back, 0.036F));
         put("back strap", {.columns = 4, .rows = 24, .thick_m = 0.0042F, .colour = kLeatherColour},
-            along_path({at(x * 0.112F, 1.520F, -0.16F), at(x * 0.110F, 1.25F, -0.22F),
+            along_path({at(x * 0.128F, 1.520F, -0.16F), at(x * 0.110F, 1.25F, -0.22F),
                         at(x * 0.080F, 0.955F, -0.22F)},
                        -back, 0.036F));
         put("shoulder strap", {.columns = 4, .rows = 10, .thick_m = 0.0042F, .colour = kLeatherColour},
-            along_path({at(x * 0.112F, 1.62F, 0.075F), at(x * 0.112F, 1.62F, -0.115F)},
+            along_path({at(x * 0.128F, 1.62F, 0.075F), at(x * 0.128F, 1.62F, -0.115F)},
                        at.axes * glm::vec3(0.0F, -1.0F, 0.0F), 0.036F));
     }
     put("chest strap", {.columns = 4, .rows = 30, .thick_m = 0.0070F, .colour = kLeatherColour, .stiff = 2},
-        along_path({at(-0.118F, 1.262F, 0.22F), at(0.0F, 1.256F, 0.22F), at(0.118F, 1.262F, 0.22F)},
+        along_path({at(-0.122F, 1.262F, 0.22F), at(0.0F, 1.256F, 0.22F), at(0.122F, 1.262F, 0.22F)},
                    back, 0.030F));
     put("belt",
         {.columns = 4, .rows = 72, .thick_m = 0.0060F, .colour = kLeatherColour, .stiff = 3, .ring = true,
@@ -371,6 +357,8 @@ Figure make_man(const Placed& at) {
                       axes_from(gaze, at.axes * glm::vec3(0.03F, 1.0F, 0.0F))};
     FaceTraits traits;
     traits.beard = 1.0F;
+    traits.lips = 0.84F;
+    traits.lip = {0.46F, 0.25F, 0.20F};
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
     traits.jaw = 1.02F;

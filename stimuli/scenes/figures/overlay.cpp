@@ -185,4 +185,33 @@ std::function<Beam(float u, float v)> around_body(const Placed& at, const glm::v
     };
 }
 
+void add_collar(Figure& figure, const Placed& at, const Sculpture& clothes, const CollarCut& cut,
+                Cloth cloth, float texture_m, const glm::vec3& colour) {
+    // The neck is in the way of what falls into the opening.
+    Sculpture solid = clothes;
+    solid.add(round_cone(at(0.0F, cut.neck_m.y - 0.10F, cut.neck_m.z), cut.radius_m,
+                         at(0.0F, cut.neck_m.y + 0.03F, cut.neck_m.z), cut.radius_m));
+    const auto beam = [&](float u, float v) {
+        // From one front edge round the neck to the other.
+        const float t = 2.0F * v - 1.0F;
+        const float angle = 3.14159265F + t * (3.14159265F - cut.open_rad);
+        const glm::vec3 out(-std::sin(angle), 0.0F, std::cos(angle));
+        const float front = std::pow(std::abs(t), 2.2F);
+        const float wide = glm::mix(cut.wide_m, cut.point_m, front);
+        // Points hang outwards and down.
+        const glm::vec3 down = glm::normalize(glm::vec3(0.8F * out.x, -0.2F - 0.9F * front, 0.8F * out.z));
+        glm::vec3 p = cut.neck_m + (cut.radius_m + 0.003F) * out -
+                      glm::vec3(0.0F, front * cut.drop_m, 0.0F);
+        p += down * (wide * u);
+        const glm::vec3 in = -glm::normalize(glm::vec3(0.55F * out.x, 0.8F - 0.55F * front,
+                                                       (0.55F + 0.6F * front) * out.z));
+        const glm::vec3 from = p - in * 0.05F;
+        return Beam{at(from.x, from.y, from.z), at.axes * in};
+    };
+    figure.overlaid.push_back(
+        {"collar", cloth, texture_m,
+         overlay(solid, {.columns = 8, .rows = 44, .thick_m = 0.0048F, .colour = colour, .stiff = 2},
+                 beam)});
+}
+
 }  // namespace obscura::stimuli::figures

@@ -124,25 +124,7 @@ Sculpture add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
     return shirt;
 }
 
-void add_collar(Figure& woman, const Placed& at) {
-    Sculpture& collar = woman.part("collar", Cloth::kShirt, 0.0034F, 0.08F).solid;
-    for (const float x : kSides) {
-        Curve wing = make_curve({{at(0.0F, 1.446F, -0.074F), 0.0052F, 0.021F},
-                                 {at(x * 0.052F, 1.440F, -0.042F), 0.0052F, 0.022F},
-                                 {at(x * 0.066F, 1.418F, 0.015F), 0.0052F, 0.024F},
-                                 {at(x * 0.050F, 1.380F, 0.066F), 0.0052F, 0.026F},
-                                 {at(x * 0.046F, 1.335F, 0.098F), 0.0048F, 0.012F}},
-                                6, at.axes[1]);
-        for (CurvePoint& point : wing) {
-            const glm::vec3 out = point.position_m - at(0.0F, 1.33F, -0.02F);
-            point.normal = glm::normalize(out);
-        }
-        rebuild_frames(wing);
-        collar.add(tube(wing), {0.004F, kShirtColour, true});
-    }
-}
-
-void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
+Sculpture add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     Sculpture vest;
     Sculpture body;
     body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
@@ -152,7 +134,7 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     // Armholes, neck and the open front, which widens downwards.
     for (const float x : kSides) {
         body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
-                   {0.007F, kVestColour, false});
+                   {0.010F, kVestColour, false});
     }
     body.carve(round_cone(at(0.0F, 1.400F, 0.02F), 0.072F, at(0.0F, 1.52F, 0.02F), 0.080F),
                {0.007F, kVestColour, false});
@@ -179,6 +161,7 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
         put("welt", {.columns = 4, .rows = 12, .thick_m = 0.0042F, .colour = kVestColour * 0.85F},
             {at(x * 0.056F, 1.098F, 0.20F), at(x * 0.122F, 1.106F, 0.20F)}, 0.020F);
     }
+    return vest;
 }
 
 void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
@@ -297,8 +280,12 @@ Figure make_woman(const Placed& at) {
     const Sculpture core = torso(at);
     Sculpture clothes;
     clothes.add(as_shape(add_shirt(woman, at, core)));
-    add_collar(woman, at);
-    add_vest(woman, at, core);
+    Sculpture above = clothes;
+    above.add(as_shape(add_vest(woman, at, core)));
+    add_collar(woman, at, above,
+               {.neck_m = {0.0F, 1.462F, -0.010F}, .radius_m = 0.056F, .open_rad = 0.50F,
+                .drop_m = 0.060F, .wide_m = 0.030F, .point_m = 0.062F},
+               Cloth::kShirt, 0.08F, kShirtColour);
     clothes.add(as_shape(add_trousers(woman, at)));
     add_belt(woman, at, clothes);
     constexpr Shaft kShaft{0.33F, 0.0607F};
@@ -314,11 +301,11 @@ Figure make_woman(const Placed& at) {
                       axes_from(gaze, at.axes * glm::vec3(-0.05F, 1.0F, 0.0F))};
     FaceTraits traits;
     traits.skin = kSkinColour;
-    traits.lip = {0.46F, 0.18F, 0.155F};
+    traits.lip = {0.47F, 0.20F, 0.175F};
     traits.brow = -0.2F;
     traits.jaw = 0.90F;
     traits.hollow = 0.0F;
-    traits.lips = 1.32F;
+    traits.lips = 1.04F;
     traits.nose = 0.80F;
     traits.nose_length = 0.92F;
     traits.cheeks = 1.0F;
