@@ -150,8 +150,8 @@ renderer::Mesh card_of(const Wisp& wisp) {
         const auto i = row_of(v);
         const float t = v * static_cast<float>(options.rows) - static_cast<float>(i);
         const glm::vec3 at = glm::mix(wisp.path_m[i], wisp.path_m[i + 1], t);
-        const glm::vec3 way = wisp.path_m[std::min(i + 2, wisp.path_m.size() - 1)] -
-                              wisp.path_m[i == 0 ? 0 : i - 1];
+        const glm::vec3 way =
+            wisp.path_m[std::min(i + 2, wisp.path_m.size() - 1)] - wisp.path_m[i == 0 ? 0 : i - 1];
         const glm::vec3 out = glm::normalize(at - wisp.inside_m);
         const glm::vec3 across = glm::normalize(glm::cross(way, out));
         // Bent a little over what it lies on.

@@ -57,7 +57,8 @@ float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, s
 
 TubeStyle folded(std::vector<FoldCentre> centres, std::uint32_t seed) {
     float high = 0.0065F;
-    for (const FoldCentre& centre : centres) high = std::max(high, 1.3F * centre.height_m + 0.0060F);
+    for (const FoldCentre& centre : centres)
+        high = std::max(high, 1.3F * centre.height_m + 0.0060F);
     return {false,
             [centres = std::move(centres), seed](const TubePoint& at) {
                 return fold_height(at, centres, seed);
@@ -86,12 +87,14 @@ void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const gl
                               {on_shin(0.5F * (shaft.high_m + 0.15F), 0.010F),
                                0.5F * (shaft.radius_m + scale * 0.053F), 0.0F},
                               {on_shin(scale * 0.15F, 0.006F), scale * 0.049F, 0.0F},
-                              knot(0, 0.10F, -0.006F, 0.043F), knot(0, 0.06F, -0.012F, 0.038F)},
+                              knot(0, 0.10F, -0.006F, 0.043F),
+                              knot(0, 0.06F, -0.012F, 0.038F)},
                              8, at.axes[2]),
                   folded({{0.12F, 0.10F, 0.0F, 0.0026F, 0.036F, 0.5F}}, 77)),
              {0.0F, colour, true});
-    boot.add(ellipsoid(put(0, 0.050F, -0.026F), scale * glm::vec3(0.0335F, 0.046F, 0.040F), at.axes),
-             upper);
+    boot.add(
+        ellipsoid(put(0, 0.050F, -0.026F), scale * glm::vec3(0.0335F, 0.046F, 0.040F), at.axes),
+        upper);
     boot.add(tube(make_curve({knot(0, 0.092F, 0.010F, 0.038F, 0.038F),
                               knot(0.002F, 0.066F, 0.070F, 0.038F, 0.036F),
                               knot(0.003F, 0.046F, 0.125F, 0.0400F, 0.031F),
@@ -104,10 +107,11 @@ void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const gl
                        at.axes),
              {0.0015F, colour * 0.92F, true});
     // A welt at the top of the shaft.
-    boot.add(tube(make_curve({{on_shin(shaft.high_m + 0.002F, 0.012F), shaft.radius_m + 0.004F, 0.0F},
-                              {on_shin(shaft.high_m - 0.018F, 0.012F), shaft.radius_m + 0.0035F, 0.0F}},
-                             3, at.axes[2])),
-             {0.002F, colour * 0.85F, true});
+    boot.add(
+        tube(make_curve({{on_shin(shaft.high_m + 0.002F, 0.012F), shaft.radius_m + 0.004F, 0.0F},
+                         {on_shin(shaft.high_m - 0.018F, 0.012F), shaft.radius_m + 0.0035F, 0.0F}},
+                        3, at.axes[2])),
+        {0.002F, colour * 0.85F, true});
     // Sole and heel: outlines in the ground plane, a little wider than the upper.
     const auto half_at = [](float z) {
         constexpr std::array<glm::vec2, 11> kHalf{{{-0.072F, 0.012F},
@@ -158,7 +162,10 @@ void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const gl
         figure.overlaid.push_back(
             {"lace", Cloth::kLeather, 0.12F,
              overlay(boot,
-                     {.columns = 2, .rows = 8, .thick_m = 0.0032F, .colour = colour * 0.45F,
+                     {.columns = 2,
+                      .rows = 8,
+                      .thick_m = 0.0032F,
+                      .colour = colour * 0.45F,
                       .sunk_m = 0.003F},
                      along_path({put(-half, y, z), put(0.0F, y + 0.003F, z), put(half, y, z)}, into,
                                 scale * 0.0065F))});

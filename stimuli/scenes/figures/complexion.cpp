@@ -41,7 +41,8 @@ float scalp_cover(const glm::vec3& q, const std::function<float(float)>& hairlin
     const glm::vec3 way = (q - kScalpMiddle) / kScalpRadii;
     const float rise = std::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z));
     const float begins = hairline(std::abs(std::atan2(way.x, way.z)));
-    const float ragged = 0.05F * gradient_noise(q * 240.0F, 46) + 0.03F * gradient_noise(q * 90.0F, 48);
+    const float ragged =
+        0.05F * gradient_noise(q * 240.0F, 46) + 0.03F * gradient_noise(q * 90.0F, 48);
     return ramp(-0.09F, 0.10F, rise - begins + ragged);
 }
 
@@ -74,8 +75,8 @@ glm::vec3 complexion_at(const glm::vec3& q, const FaceTraits& traits) {
     const float below =
         std::clamp((-0.046F - q.y + 0.30F * std::max(0.0F, q.z - 0.050F)) / 0.016F, 0.0F, 1.0F);
     const float throat = std::clamp((q.y + 0.140F) / 0.030F, 0.0F, 1.0F);
-    const float stubble = 0.72F + 0.5F * gradient_noise(q * 420.0F, 43) +
-                          0.2F * gradient_noise(q * 120.0F, 44);
+    const float stubble =
+        0.72F + 0.5F * gradient_noise(q * 420.0F, 43) + 0.2F * gradient_noise(q * 120.0F, 44);
     towards({0.60F, 0.62F, 0.66F},
             traits.beard * below * throat * stubble * std::clamp(q.z / 0.02F + 0.6F, 0.0F, 1.0F));
     const auto covered = [&](const glm::vec3& hair, float share) {

@@ -72,8 +72,8 @@ class FaceForm final : public Shape {
         gradient.y = std::clamp(gradient.y, -level, level);
         const float steep = glm::length(gradient);
         const float root = std::sqrt(f);
-        const float inside =
-            steep < 1e-3F ? -deepest_of(row) : std::max(2.0F * (f - root) / steep, -deepest_of(row));
+        const float inside = steep < 1e-3F ? -deepest_of(row)
+                                           : std::max(2.0F * (f - root) / steep, -deepest_of(row));
         const float outside_y = q.y - y;
         if (outside_y == 0.0F) return scale_ * inside;
         const float off = std::max(inside, 0.0F);

@@ -55,7 +55,7 @@ struct Wisp {
     std::vector<glm::vec3> path_m;
     glm::vec3 inside_m{0.0F};  ///< what it faces away from
     float width_m = 0.01F;
-    int strip = 0;          ///< of the material's four; the last one has no gaps
+    int strip = 0;  ///< of the material's four; the last one has no gaps
     float root_shade = 1.0F;
     glm::vec3 colour{0.1F};
 };
@@ -106,16 +106,17 @@ struct FaceTraits {
     float eyelids = 1.0F;  ///< opening of the eyes
     float nose_width = 1.0F;
     float nose_length = 1.0F;
-    float cheeks = 0.0F;   ///< fullness of the cheeks, [0, 1]
-    float age = 0.8F;      ///< depth of the lines from nose to mouth
-    float slant = 1.0F;    ///< how far the outer corners of the eyes stand up
-    float beard = 0.0F;    ///< shade of a shaven beard, [0, 1]
+    float cheeks = 0.0F;  ///< fullness of the cheeks, [0, 1]
+    float age = 0.8F;     ///< depth of the lines from nose to mouth
+    float slant = 1.0F;   ///< how far the outer corners of the eyes stand up
+    float beard = 0.0F;   ///< shade of a shaven beard, [0, 1]
     glm::vec3 skin{0.55F, 0.36F, 0.27F};
     glm::vec3 lip{0.45F, 0.22F, 0.18F};
     glm::vec3 brows{0.08F, 0.05F, 0.035F};
     float brow_weight = 1.0F;  ///< thickness of the eyebrows
     glm::vec3 hair{0.09F, 0.055F, 0.035F};
-    std::function<float(float turn_rad)> hairline;  ///< rise by turn, on the scalp: where hair begins
+    std::function<float(float turn_rad)>
+        hairline;  ///< rise by turn, on the scalp: where hair begins
     glm::vec3 iris{0.2F, 0.12F, 0.06F};
 };
 /// A face without eyes, nose and mouth, and the jaw below it.
@@ -170,9 +171,9 @@ struct OverlayStyle {
     int rows = 24;    ///< along v
     float thick_m = 0.003F;
     glm::vec3 colour{1.0F};
-    int stiff = 1;           ///< over how many rows to each side it bridges hollows
-    bool ring = false;       ///< v goes all round
-    float sunk_m = 0.006F;   ///< how far its underside lies in the solid
+    int stiff = 1;          ///< over how many rows to each side it bridges hollows
+    bool ring = false;      ///< v goes all round
+    float sunk_m = 0.006F;  ///< how far its underside lies in the solid
 };
 [[nodiscard]] renderer::Mesh overlay(const Sculpture& solid, const OverlayStyle& style,
                                      const std::function<Beam(float u, float v)>& beam);

@@ -40,10 +40,10 @@ struct Scalp {
 struct Growth {
     float long_m = 0.03F;
     float wide_m = 0.014F;
-    float root_m = 0.001F;      ///< above the scalp at the root
-    float lift_m = 0.005F;      ///< above it in the middle
-    float end_m = 0.003F;       ///< above it at the end
-    float root_shade = 0.55F;   ///< of the colour at the root: other hair is around it
+    float root_m = 0.001F;     ///< above the scalp at the root
+    float lift_m = 0.005F;     ///< above it in the middle
+    float end_m = 0.003F;      ///< above it at the end
+    float root_shade = 0.55F;  ///< of the colour at the root: other hair is around it
     std::function<glm::vec3(const glm::vec3& q)> comb;  ///< which way it lies at q, any length
 };
 
@@ -114,26 +114,26 @@ float along_line(std::span<const glm::vec2> line, float x) {
 float short_hairline(float turn_rad) {
     // Forehead, a recess at the temple, the sideburn, over the ear, and down to the nape.
     constexpr std::array<glm::vec2, 9> kLine{{{0.0F, 0.33F},
-                                          {0.35F, 0.36F},
-                                          {0.62F, 0.43F},
-                                          {0.90F, 0.32F},
-                                          {1.12F, 0.05F},
-                                          {1.32F, -0.36F},
-                                          {1.62F, -0.12F},
-                                          {2.00F, -0.62F},
-                                          {3.20F, -0.98F}}};
+                                              {0.35F, 0.36F},
+                                              {0.62F, 0.43F},
+                                              {0.90F, 0.32F},
+                                              {1.12F, 0.05F},
+                                              {1.32F, -0.36F},
+                                              {1.62F, -0.12F},
+                                              {2.00F, -0.62F},
+                                              {3.20F, -0.98F}}};
     return along_line(kLine, turn_rad);
 }
 
 float long_hairline(float turn_rad) {
     constexpr std::array<glm::vec2, 8> kLine{{{0.0F, 0.35F},
-                                          {0.35F, 0.36F},
-                                          {0.70F, 0.33F},
-                                          {1.00F, 0.14F},
-                                          {1.28F, -0.24F},
-                                          {1.62F, -0.20F},
-                                          {2.00F, -0.55F},
-                                          {3.20F, -0.90F}}};
+                                              {0.35F, 0.36F},
+                                              {0.70F, 0.33F},
+                                              {1.00F, 0.14F},
+                                              {1.28F, -0.24F},
+                                              {1.62F, -0.20F},
+                                              {2.00F, -0.55F},
+                                              {3.20F, -0.90F}}};
     return along_line(kLine, turn_rad);
 }
 
@@ -145,10 +145,13 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
     const auto tone = [&] { return colour * (0.95F + spread(random, 0.22F)); };
     for (int ring = 0; ring < 11; ++ring) {
         for (int i = 0; i < 58; ++i) {
-            const float turn = 2.0F * kTurnHalf * (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / 58.0F -
+            const float turn = 2.0F * kTurnHalf *
+                                   (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) /
+                                   58.0F -
                                kTurnHalf + spread(random, 0.05F);
             const float low = short_hairline(std::abs(turn));
-            const float rise = low + 0.03F + 0.125F * static_cast<float>(ring) + spread(random, 0.05F);
+            const float rise =
+                low + 0.03F + 0.125F * static_cast<float>(ring) + spread(random, 0.05F);
             if (rise > 1.05F) continue;
             // Only the back and the sides: the top is combed otherwise.
             const float side = std::clamp((std::abs(turn) - 0.75F) / 0.30F, 0.0F, 1.0F);
@@ -171,11 +174,13 @@ void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::ve
     // The top: from the forehead back and to his left, standing up over the brow.
     for (int row = 0; row < 9; ++row) {
         for (int i = 0; i < 30; ++i) {
-            const float side = (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) / 14.5F - 1.0F;
+            const float side =
+                (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) / 14.5F - 1.0F;
             const float turn_front = side * 1.15F + spread(random, 0.04F);
             const float low = short_hairline(std::abs(turn_front));
             const float t = static_cast<float>(row) / 8.0F;
-            const float rise = glm::mix(std::max(low, 0.30F) + 0.01F, 1.42F, t) + spread(random, 0.03F);
+            const float rise =
+                glm::mix(std::max(low, 0.30F) + 0.01F, 1.42F, t) + spread(random, 0.03F);
             const float front = (1.0F - t) * std::exp(-1.4F * side * side);
             Growth growth;
             growth.long_m = 0.046F - 0.012F * t + spread(random, 0.007F);
@@ -220,10 +225,10 @@ void add_tail(Figure& figure, const Scalp& scalp, const glm::vec3& colour, base:
         const float r = i == 7 ? 0.0F : 1.0F;
         std::vector<Knot> knots;
         for (std::size_t k = 0; k < kPath.size(); ++k) {
-            knots.push_back(strand(r * std::cos(angle), r * std::sin(angle),
-                                   kPath[k] + glm::vec3(spread(random, 0.002F), 0.0F,
-                                                        spread(random, 0.002F)),
-                                   kOut[k], kThick[k]));
+            knots.push_back(
+                strand(r * std::cos(angle), r * std::sin(angle),
+                       kPath[k] + glm::vec3(spread(random, 0.002F), 0.0F, spread(random, 0.002F)),
+                       kOut[k], kThick[k]));
         }
         hair.add(tube(make_curve(knots, 6, scalp.at.axes[0])),
                  {scalp.scale * 0.003F, colour * (0.80F + spread(random, 0.08F)), true});
@@ -240,10 +245,11 @@ void add_tail(Figure& figure, const Scalp& scalp, const glm::vec3& colour, base:
         const float wider = 1.0F + spread(random, 0.15F);
         for (std::size_t k = first; k < kPath.size(); ++k) {
             const float out_m = (kOut[k] + kThick[k]) * wider + 0.0010F;
-            const glm::vec3 low(0.0F, k + 1 == kPath.size() ? -0.035F + spread(random, 0.03F) : 0.0F, 0.0F);
+            const glm::vec3 low(
+                0.0F, k + 1 == kPath.size() ? -0.035F + spread(random, 0.03F) : 0.0F, 0.0F);
             const auto at = [&](float share) {
-                const glm::vec3 p = share == 0.0F ? kPath[k] + low
-                                                  : glm::mix(kPath[k - 1], kPath[k] + low, share);
+                const glm::vec3 p =
+                    share == 0.0F ? kPath[k] + low : glm::mix(kPath[k - 1], kPath[k] + low, share);
                 return scalp.out(p + out_m * glm::vec3(std::cos(angle), 0.0F, std::sin(angle)));
             };
             if (k > first) lock.path_m.push_back(at(0.5F));
@@ -268,10 +274,9 @@ void hang_lock(Figure& figure, const Scalp& scalp, float side, float turn, float
     const float wave = spread(random, 0.004F);
     for (int k = 0; k <= 8; ++k) {
         const float t = static_cast<float>(k) / 8.0F;
-        lock.path_m.push_back(
-            scalp.out(root + glm::vec3(side * (bow * std::sin(2.2F * t) + wave * std::sin(5.0F * t)),
-                                       -long_m * t,
-                                       0.012F * std::sin(2.4F * t) - 0.016F * t * t)));
+        lock.path_m.push_back(scalp.out(
+            root + glm::vec3(side * (bow * std::sin(2.2F * t) + wave * std::sin(5.0F * t)),
+                             -long_m * t, 0.012F * std::sin(2.4F * t) - 0.016F * t * t)));
     }
     figure.wisps.push_back(std::move(lock));
 }
@@ -287,10 +292,12 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     for (int row = 0; row < 10; ++row) {
         for (int i = 0; i < 46; ++i) {
             const float turn = 2.0F * kTurnHalf *
-                                   (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) / 46.0F -
+                                   (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) /
+                                   46.0F -
                                kTurnHalf + spread(random, 0.05F);
             const float low = long_hairline(std::abs(turn));
-            const float rise = low + 0.005F + 0.11F * static_cast<float>(row) + spread(random, 0.03F);
+            const float rise =
+                low + 0.005F + 0.11F * static_cast<float>(row) + spread(random, 0.03F);
             if (rise > 1.45F) continue;
             const glm::vec3 root = scalp.own_place(turn, rise, 0.0F);
             const float away = glm::distance(root, knot);
@@ -314,9 +321,10 @@ void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3
     }
     for (const float side : {-1.0F, 1.0F}) {
         for (int i = 0; i < 7; ++i) {
-            hang_lock(figure, scalp, side, 0.92F + 0.045F * static_cast<float>(i) + spread(random, 0.03F),
-                      0.34F - 0.06F * static_cast<float>(i), 0.070F + spread(random, 0.022F), tone(),
-                      random);
+            hang_lock(figure, scalp, side,
+                      0.92F + 0.045F * static_cast<float>(i) + spread(random, 0.03F),
+                      0.34F - 0.06F * static_cast<float>(i), 0.070F + spread(random, 0.022F),
+                      tone(), random);
         }
     }
     add_tail(figure, scalp, colour, random);

@@ -27,14 +27,15 @@ void add_digit(Sculpture& skin, glm::vec3 joint, glm::vec3 along, const glm::vec
         const float thin = kThinner[bone] * thick;
         skin.add(round_cone(joint, thick, next, thin), {0.0014F, bone == 2 ? red : colour, true});
         if (bone < 2) {
-            skin.add(ellipsoid(next + up * (0.22F * thin), {0.98F * thin, 0.86F * thin, 1.05F * thin},
-                               axes_from(along, up)),
+            skin.add(ellipsoid(next + up * (0.22F * thin),
+                               {0.98F * thin, 0.86F * thin, 1.05F * thin}, axes_from(along, up)),
                      {0.0016F, red, true});
         } else {
             // The nail, paler, set off by an edge.
             skin.add(ellipsoid(next + up * (0.66F * thin) - along * (0.10F * thin),
                                {0.66F * thin, 0.34F * thin, 1.02F * thin}, axes_from(along, up)),
-                     {0.0004F, glm::min(colour * glm::vec3(1.22F, 1.16F, 1.14F), glm::vec3(1.0F)), true});
+                     {0.0004F, glm::min(colour * glm::vec3(1.22F, 1.16F, 1.14F), glm::vec3(1.0F)),
+                      true});
         }
         joint = next;
         thick = thin;

@@ -127,8 +127,9 @@ void HeadModel::lids() {
                           knot(x * 0.0420F, eye.y + 0.0104F, 0.0720F, 0.0034F),
                           knot(x * 0.0500F, eye.y + 0.0062F, 0.0640F, 0.0028F)}),
                    flesh(0.006F));
-        solid_.add(lid({eye.x - x * 0.001F, eye.y + 0.0040F * open, eye.z + 0.0120F}, 0.0015F, true),
-                   {scale_ * 0.0028F, traits_.skin * 0.90F, true});
+        solid_.add(
+            lid({eye.x - x * 0.001F, eye.y + 0.0040F * open, eye.z + 0.0120F}, 0.0015F, true),
+            {scale_ * 0.0028F, traits_.skin * 0.90F, true});
         solid_.add(
             lid({eye.x + x * 0.001F, eye.y - 0.0055F * open, eye.z + 0.0110F}, 0.0012F, false),
             {scale_ * 0.0040F, traits_.skin * 0.95F, true});
@@ -149,10 +150,11 @@ void HeadModel::nose() {
                         {x * 0.0105F * wide, -0.0360F * l, 0.0910F}, 0.0085F),
                    flesh(0.010F));
     }
-    solid_.add(blob(0, -0.0385F * l, 0.0990F + 0.0065F * n,
-                    glm::vec3(0.0100F * wide, 0.0088F, 0.0090F)),
-               flesh(0.006F));
-    solid_.add(cone({0, -0.0440F * l, 0.0970F + 0.0050F * n}, 0.0045F, {0, -0.0500F * l, 0.0915F}, 0.0045F),
+    solid_.add(
+        blob(0, -0.0385F * l, 0.0990F + 0.0065F * n, glm::vec3(0.0100F * wide, 0.0088F, 0.0090F)),
+        flesh(0.006F));
+    solid_.add(cone({0, -0.0440F * l, 0.0970F + 0.0050F * n}, 0.0045F, {0, -0.0500F * l, 0.0915F},
+                    0.0045F),
                flesh(0.005F));
     for (const float x : kSides) {
         solid_.add(blob(x * 0.0122F * wide, -0.0425F * l, 0.0935F,
@@ -206,8 +208,9 @@ void HeadModel::mouth() {
                        {0.0050F, -0.0709F, 0.78F * upper, 0.0012F},
                        {0.0F, -0.0717F, 0.80F * upper, 0.0012F}}),
                  {scale_ * 0.0026F, traits_.lip * glm::vec3(0.34F, 0.28F, 0.28F), true});
-    solid_.carve(strip({knot(0, -0.0530F, 0.0955F, 0.0012F), knot(0, -0.0625F, 0.0960F, 0.0016F)}, 3),
-                 {scale_ * 0.006F, traits_.skin, false});
+    solid_.carve(
+        strip({knot(0, -0.0530F, 0.0955F, 0.0012F), knot(0, -0.0625F, 0.0960F, 0.0016F)}, 3),
+        {scale_ * 0.006F, traits_.skin, false});
     solid_.carve(blob(0, -0.0885F, 0.0945F, {0.0150F, 0.0040F, 0.0050F}),
                  {scale_ * 0.008F, traits_.skin, false});
 }
@@ -232,21 +235,27 @@ void HeadModel::ears() {
         };
         const float size = scale_ * kSize;
         const StrokeStyle ear{scale_ * 0.0035F, traits_.skin * glm::vec3(1.0F, 0.95F, 0.94F), true};
-        solid_.add(ellipsoid(put(0.0F, 0.0F, 0.0F), size * glm::vec3(0.0055F, 0.0290F, 0.0165F), lean),
-                   ear);
+        solid_.add(
+            ellipsoid(put(0.0F, 0.0F, 0.0F), size * glm::vec3(0.0055F, 0.0290F, 0.0165F), lean),
+            ear);
         solid_.carve(ellipsoid(put(0.0070F, -0.0010F, 0.0030F),
                                size * glm::vec3(0.0065F, 0.0160F, 0.0085F), lean),
                      {scale_ * 0.0025F, traits_.skin * glm::vec3(0.62F, 0.50F, 0.47F), true});
-        solid_.add(strip({rim(-0.0010F, 0.0020F, 0.0140F, 0.0026F), rim(0.0030F, 0.0240F, 0.0110F, 0.0028F),
-                          rim(0.0075F, 0.0290F, -0.0060F, 0.0030F), rim(0.0100F, 0.0130F, -0.0185F, 0.0030F),
-                          rim(0.0070F, -0.0090F, -0.0150F, 0.0028F), rim(0.0015F, -0.0285F, 0.0010F, 0.0046F)}),
-                   ear);
+        solid_.add(
+            strip(
+                {rim(-0.0010F, 0.0020F, 0.0140F, 0.0026F), rim(0.0030F, 0.0240F, 0.0110F, 0.0028F),
+                 rim(0.0075F, 0.0290F, -0.0060F, 0.0030F), rim(0.0100F, 0.0130F, -0.0185F, 0.0030F),
+                 rim(0.0070F, -0.0090F, -0.0150F, 0.0028F),
+                 rim(0.0015F, -0.0285F, 0.0010F, 0.0046F)}),
+            ear);
         // The fold inside the rim.
-        solid_.add(strip({rim(0.0060F, 0.0170F, 0.0030F, 0.0018F), rim(0.0085F, 0.0110F, -0.0090F, 0.0022F),
-                          rim(0.0070F, -0.0070F, -0.0085F, 0.0020F), rim(0.0040F, -0.0160F, 0.0020F, 0.0024F)}),
+        solid_.add(strip({rim(0.0060F, 0.0170F, 0.0030F, 0.0018F),
+                          rim(0.0085F, 0.0110F, -0.0090F, 0.0022F),
+                          rim(0.0070F, -0.0070F, -0.0085F, 0.0020F),
+                          rim(0.0040F, -0.0160F, 0.0020F, 0.0024F)}),
                    ear);
-        solid_.add(ellipsoid(put(0.0015F, -0.0030F, 0.0150F), size * glm::vec3(0.0040F, 0.0058F, 0.0034F),
-                             at_.axes),
+        solid_.add(ellipsoid(put(0.0015F, -0.0030F, 0.0150F),
+                             size * glm::vec3(0.0040F, 0.0058F, 0.0034F), at_.axes),
                    ear);
     }
 }
@@ -264,7 +273,8 @@ void HeadModel::neck() {
                    flesh(0.014F));
     }
     if (traits_.throat > 0.0F) {
-        solid_.add(blob(0, -0.140F, 0.020F, {0.010F, 0.014F, 0.010F * traits_.throat}), flesh(0.014F));
+        solid_.add(blob(0, -0.140F, 0.020F, {0.010F, 0.014F, 0.010F * traits_.throat}),
+                   flesh(0.014F));
     }
 }
 

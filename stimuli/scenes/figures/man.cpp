@@ -94,13 +94,15 @@ void add_placket_and_pockets(Figure& man, const Placed& at, const Sculpture& jac
                 // The lower corners are rounded.
                 const float cut = v > 0.85F ? 0.10F * (v - 0.85F) / 0.15F : 0.0F;
                 const float side = (u - 0.5F) * (1.0F - cut) * wide;
-                return Beam{at(x * (x_in + 0.06F * (y - v * high - 1.33F)) + side, y - v * high, 0.22F),
-                            back};
+                return Beam{
+                    at(x * (x_in + 0.06F * (y - v * high - 1.33F)) + side, y - v * high, 0.22F),
+                    back};
             };
         };
         put("pocket", {.columns = 10, .rows = 10, .thick_m = 0.0042F, .colour = kJacketColour},
             patch_of(0.092F, 0.112F, 1.385F, 0.0640F));
-        put("pocket flap", {.columns = 10, .rows = 5, .thick_m = 0.0082F, .colour = kJacketColour * 0.90F},
+        put("pocket flap",
+            {.columns = 10, .rows = 5, .thick_m = 0.0082F, .colour = kJacketColour * 0.90F},
             patch_of(0.098F, 0.040F, 1.393F, 0.0640F));
     }
 }
@@ -137,8 +139,12 @@ Sculpture add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     man.part("jacket", Cloth::kJacket, 0.0070F, 0.10F).solid = jacket;
     add_placket_and_pockets(man, at, jacket);
     add_collar(man, at, jacket,
-               {.neck_m = {0.0F, 1.562F, -0.014F}, .radius_m = 0.066F, .open_rad = 0.42F,
-                .drop_m = 0.072F, .wide_m = 0.038F, .point_m = 0.066F},
+               {.neck_m = {0.0F, 1.562F, -0.014F},
+                .radius_m = 0.066F,
+                .open_rad = 0.42F,
+                .drop_m = 0.072F,
+                .wide_m = 0.038F,
+                .point_m = 0.066F},
                Cloth::kJacket, 0.10F, kJacketColour * 0.88F);
     return jacket;
 }
@@ -231,7 +237,8 @@ void add_straps(Figure& man, const Placed& at, const Sculpture& clothes) {
                          const std::function<Beam(float, float)>& beam) {
         man.overlaid.push_back({name, Cloth::kLeather, 0.12F, overlay(clothes, style, beam)});
     };
-    const OverlayStyle strap{.columns = 4, .rows = 44, .thick_m = 0.0042F, .colour = kLeatherColour};
+    const OverlayStyle strap{
+        .columns = 4, .rows = 44, .thick_m = 0.0042F, .colour = kLeatherColour};
     for (const float x : kSides) {
         // Over the shoulder, down the chest to the belt, and as far on the back.
         put("strap", strap,
@@ -243,15 +250,22 @@ void add_straps(Figure& man, const Placed& at, const Sculpture& clothes) {
             along_path({at(x * 0.128F, 1.520F, -0.16F), at(x * 0.110F, 1.25F, -0.22F),
                         at(x * 0.080F, 0.955F, -0.22F)},
                        -back, 0.036F));
-        put("shoulder strap", {.columns = 4, .rows = 10, .thick_m = 0.0042F, .colour = kLeatherColour},
+        put("shoulder strap",
+            {.columns = 4, .rows = 10, .thick_m = 0.0042F, .colour = kLeatherColour},
             along_path({at(x * 0.128F, 1.62F, 0.075F), at(x * 0.128F, 1.62F, -0.115F)},
                        at.axes * glm::vec3(0.0F, -1.0F, 0.0F), 0.036F));
     }
-    put("chest strap", {.columns = 4, .rows = 30, .thick_m = 0.0070F, .colour = kLeatherColour, .stiff = 2},
+    put("chest strap",
+        {.columns = 4, .rows = 30, .thick_m = 0.0070F, .colour = kLeatherColour, .stiff = 2},
         along_path({at(-0.122F, 1.262F, 0.22F), at(0.0F, 1.256F, 0.22F), at(0.122F, 1.262F, 0.22F)},
                    back, 0.030F));
     put("belt",
-        {.columns = 4, .rows = 72, .thick_m = 0.0060F, .colour = kLeatherColour, .stiff = 3, .ring = true,
+        {.columns = 4,
+         .rows = 72,
+         .thick_m = 0.0060F,
+         .colour = kLeatherColour,
+         .stiff = 3,
+         .ring = true,
          .sunk_m = 0.012F},
         around_body(at, {0.0F, 0.958F, -0.004F}, {0.212F, 0.190F}, 0.046F, 0.0F));
 }
@@ -347,7 +361,8 @@ Figure make_man(const Placed& at) {
     constexpr Shaft kShaft{0.215F, 0.054F};
     add_boot(man, boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
              kLeatherColour * 0.9F);
-    add_boot(man, boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft, kLeatherColour * 0.9F);
+    add_boot(man, boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft,
+             kLeatherColour * 0.9F);
     FigurePart& worn = man.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
     worn.solid = std::move(boots);
     worn.painted_shade = 0.4F;

@@ -40,8 +40,8 @@ struct Nearby {
     std::vector<ShapePtr> owners;
 
     Nearby(const Sculpture& whole, const Beam& first, const Beam& last) : solid(whole) {
-        const glm::vec3 middle = 0.5F * (first.from_m + last.from_m) +
-                                 0.25F * kFurthest_m * (first.way + last.way);
+        const glm::vec3 middle =
+            0.5F * (first.from_m + last.from_m) + 0.25F * kFurthest_m * (first.way + last.way);
         const float radius_m = 0.5F * kFurthest_m + 0.5F * glm::distance(first.from_m, last.from_m);
         parts = solid.near(middle, radius_m, solid.parts());
         solid.localise(middle, radius_m, parts, owners);
@@ -92,7 +92,8 @@ renderer::Mesh overlay(const Sculpture& solid, const OverlayStyle& style,
                     nearest = std::min(nearest, before.at(u, v + k));
                     sum += before.at(u, v + k);
                 }
-                travel.at(u, v) = pass == 0 ? nearest : sum / static_cast<float>(2 * style.stiff + 1);
+                travel.at(u, v) =
+                    pass == 0 ? nearest : sum / static_cast<float>(2 * style.stiff + 1);
             }
         }
     }
@@ -113,14 +114,12 @@ renderer::Mesh overlay(const Sculpture& solid, const OverlayStyle& style,
             const glm::vec3 along = places.at(u, v + 1) - places.at(u, v - 1);
             glm::vec3 out = glm::normalize(glm::cross(across, along));
             if (glm::dot(out, beams.at(u, v).way) > 0.0F) out = -out;
-            const bool edge = u == 0 || u == columns - 1 ||
-                              (!style.ring && (v == 0 || v == rows - 1));
+            const bool edge =
+                u == 0 || u == columns - 1 || (!style.ring && (v == 0 || v == rows - 1));
             renderer::Vertex vertex;
             vertex.normal = out;
-            vertex.color = glm::u8vec4(glm::clamp(style.colour * (edge ? 0.72F : 1.0F), 0.0F, 1.0F) *
-                                               255.0F +
-                                           0.5F,
-                                       255);
+            vertex.color = glm::u8vec4(
+                glm::clamp(style.colour * (edge ? 0.72F : 1.0F), 0.0F, 1.0F) * 255.0F + 0.5F, 255);
             vertex.position_m = places.at(u, v) + out * (style.thick_m * (edge ? 0.55F : 1.0F));
             mesh.vertices.push_back(vertex);
             vertex.position_m = places.at(u, v) - out * style.sunk_m;
@@ -163,8 +162,8 @@ std::function<Beam(float u, float v)> along_path(const std::vector<glm::vec3>& p
     return [curve, way, wide_m](float u, float v) {
         const float step = v * static_cast<float>(curve.size() - 1);
         const auto i = std::min(static_cast<std::size_t>(step), curve.size() - 2);
-        const glm::vec3 at = glm::mix(curve[i].position_m, curve[i + 1].position_m,
-                                      step - static_cast<float>(i));
+        const glm::vec3 at =
+            glm::mix(curve[i].position_m, curve[i + 1].position_m, step - static_cast<float>(i));
         const glm::vec3 across =
             glm::normalize(glm::cross(curve[i + 1].position_m - curve[i].position_m, way));
         return Beam{at + across * (wide_m * (u - 0.5F)), way};
@@ -199,18 +198,20 @@ void add_collar(Figure& figure, const Placed& at, const Sculpture& clothes, cons
         const float front = std::pow(std::abs(t), 2.2F);
         const float wide = glm::mix(cut.wide_m, cut.point_m, front);
         // Points hang outwards and down.
-        const glm::vec3 down = glm::normalize(glm::vec3(0.8F * out.x, -0.2F - 0.9F * front, 0.8F * out.z));
-        glm::vec3 p = cut.neck_m + (cut.radius_m + 0.003F) * out -
-                      glm::vec3(0.0F, front * cut.drop_m, 0.0F);
+        const glm::vec3 down =
+            glm::normalize(glm::vec3(0.8F * out.x, -0.2F - 0.9F * front, 0.8F * out.z));
+        glm::vec3 p =
+            cut.neck_m + (cut.radius_m + 0.003F) * out - glm::vec3(0.0F, front * cut.drop_m, 0.0F);
         p += down * (wide * u);
-        const glm::vec3 in = -glm::normalize(glm::vec3(0.55F * out.x, 0.8F - 0.55F * front,
-                                                       (0.55F + 0.6F * front) * out.z));
+        const glm::vec3 in = -glm::normalize(
+            glm::vec3(0.55F * out.x, 0.8F - 0.55F * front, (0.55F + 0.6F * front) * out.z));
         const glm::vec3 from = p - in * 0.05F;
         return Beam{at(from.x, from.y, from.z), at.axes * in};
     };
     figure.overlaid.push_back(
         {"collar", cloth, texture_m,
-         overlay(solid, {.columns = 8, .rows = 44, .thick_m = 0.0048F, .colour = colour, .stiff = 2},
+         overlay(solid,
+                 {.columns = 8, .rows = 44, .thick_m = 0.0048F, .colour = colour, .stiff = 2},
                  beam)});
 }
 

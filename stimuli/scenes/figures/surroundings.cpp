@@ -238,6 +238,15 @@ void add_surroundings(renderer::Scene& scene) {
     renderer::Mesh wall;
     wall.name = "wall";
     wall.material = static_cast<std::uint32_t>(Cloth::kBlock);
+    for (int row = 0; row < 2; ++row) {
+        // What is between the blocks: where their corners are cut one would see through.
+        Placement core;
+        core.uv_scale = glm::vec2(1.0F / 1.6F);
+        core.transform =
+            moved(row % 2 == 0 ? 0.0F : 0.4F, 0.168F + 0.34F * static_cast<float>(row), -1.75F);
+        core.tint = glm::vec3(0.60F);
+        append(wall, bevelled_box({7.16F, 0.33F, 0.386F}, 0.004F), core);
+    }
     for (int row = 0; row < 3; ++row) {
         for (int i = -4; i <= 4; ++i) {
             const float width = 0.80F;

@@ -81,8 +81,9 @@ void add_sleeve(Sculpture& shirt, Sculpture& cuffs, const Placed& at, const glm:
     }
     const glm::vec3 way = glm::normalize(p(wrist) - p(elbow));
     turns.keep(half_space(p(along(elbow, wrist, 0.505F)), way), {0.006F, kShirtColour, false});
-    turns.carve(round_cone(p(along(elbow, wrist, 0.44F)), 0.0375F, p(along(elbow, wrist, 0.80F)), 0.040F),
-                {0.005F, kShirtColour * 0.6F, true});
+    turns.carve(
+        round_cone(p(along(elbow, wrist, 0.44F)), 0.0375F, p(along(elbow, wrist, 0.80F)), 0.040F),
+        {0.005F, kShirtColour * 0.6F, true});
     cuffs.add(as_shape(std::move(turns)), {0.0F, kShirtColour, true});
 }
 
@@ -155,8 +156,8 @@ Sculpture add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     };
     for (const float x : kSides) {
         put("seam", {.columns = 4, .rows = 36, .thick_m = 0.0018F, .colour = kVestColour * 0.85F},
-            {at(x * 0.092F, 1.370F, 0.20F), at(x * 0.098F, 1.25F, 0.22F), at(x * 0.094F, 1.12F, 0.20F),
-             at(x * 0.104F, 1.024F, 0.20F)},
+            {at(x * 0.092F, 1.370F, 0.20F), at(x * 0.098F, 1.25F, 0.22F),
+             at(x * 0.094F, 1.12F, 0.20F), at(x * 0.104F, 1.024F, 0.20F)},
             0.009F);
         put("welt", {.columns = 4, .rows = 12, .thick_m = 0.0042F, .colour = kVestColour * 0.85F},
             {at(x * 0.056F, 1.098F, 0.20F), at(x * 0.122F, 1.106F, 0.20F)}, 0.020F);
@@ -225,14 +226,24 @@ void add_belt(Figure& woman, const Placed& at, const Sculpture& clothes) {
     woman.overlaid.push_back(
         {"belt", Cloth::kLeather, 0.12F,
          overlay(clothes,
-                 {.columns = 4, .rows = 64, .thick_m = 0.0050F, .colour = kLeatherColour, .stiff = 3,
-                  .ring = true, .sunk_m = 0.010F},
+                 {.columns = 4,
+                  .rows = 64,
+                  .thick_m = 0.0050F,
+                  .colour = kLeatherColour,
+                  .stiff = 3,
+                  .ring = true,
+                  .sunk_m = 0.010F},
                  around_body(at, {0.0F, 0.950F, -0.006F}, {0.186F, 0.170F}, 0.038F, 0.0F))});
     woman.overlaid.push_back(
         {"hip belt", Cloth::kLeather, 0.12F,
          overlay(clothes,
-                 {.columns = 4, .rows = 64, .thick_m = 0.0050F, .colour = kLeatherColour * 0.7F,
-                  .stiff = 4, .ring = true, .sunk_m = 0.010F},
+                 {.columns = 4,
+                  .rows = 64,
+                  .thick_m = 0.0050F,
+                  .colour = kLeatherColour * 0.7F,
+                  .stiff = 4,
+                  .ring = true,
+                  .sunk_m = 0.010F},
                  around_body(at, {0.0F, 0.905F, -0.006F}, {0.192F, 0.175F}, 0.030F, -0.022F))});
     const glm::vec3 steel(0.46F, 0.45F, 0.43F);
     Sculpture buckle;
@@ -256,8 +267,9 @@ void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
         const auto bone = [&](float from, float thick, float to, float thin) {
-            skin.add(round_cone(p(along(elbow, wrist, from)), thick, p(along(elbow, wrist, to)), thin),
-                     {0.020F, colour, true});
+            skin.add(
+                round_cone(p(along(elbow, wrist, from)), thick, p(along(elbow, wrist, to)), thin),
+                {0.020F, colour, true});
         };
         bone(0.42F, 0.0340F, 0.60F, 0.0322F);
         bone(0.60F, 0.0315F, 1.00F, 0.0218F);
@@ -283,14 +295,19 @@ Figure make_woman(const Placed& at) {
     Sculpture above = clothes;
     above.add(as_shape(add_vest(woman, at, core)));
     add_collar(woman, at, above,
-               {.neck_m = {0.0F, 1.462F, -0.010F}, .radius_m = 0.056F, .open_rad = 0.50F,
-                .drop_m = 0.060F, .wide_m = 0.030F, .point_m = 0.062F},
+               {.neck_m = {0.0F, 1.462F, -0.010F},
+                .radius_m = 0.056F,
+                .open_rad = 0.50F,
+                .drop_m = 0.060F,
+                .wide_m = 0.030F,
+                .point_m = 0.062F},
                Cloth::kShirt, 0.08F, kShirtColour);
     clothes.add(as_shape(add_trousers(woman, at)));
     add_belt(woman, at, clothes);
     constexpr Shaft kShaft{0.33F, 0.0607F};
     Sculpture boots;
-    add_boot(woman, boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    add_boot(woman, boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft,
+             kLeatherColour);
     add_boot(woman, boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
     FigurePart& worn = woman.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
     worn.solid = std::move(boots);

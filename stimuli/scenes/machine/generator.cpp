@@ -162,20 +162,21 @@ void put_terminals(Assembly& hall) {
         const float n = static_cast<float>(i);
         const float block = kFoundationTop + 0.014F;
         const float edge = 1.755F + 0.004F * n;
-        const std::array<vec3, 14> run{{from - vec3(0.035F, 0.0F, 0.0F),
-                                        from + vec3(0.030F, -0.002F, 0.0F),
-                                        from + vec3(0.105F + 0.012F * n, -0.045F, -0.006F * n),
-                                        from + vec3(0.150F + 0.020F * n, -0.165F, -0.012F),
-                                        from + vec3(0.150F + 0.026F * n, -0.400F, -0.030F - 0.01F * n),
-                                        {from.x + 0.125F + 0.032F * n, block + 0.12F, from.z - 0.06F},
-                                        {from.x + 0.155F + 0.030F * n, block + 0.012F, from.z - 0.12F},
-                                        {edge - 0.050F, block + 0.004F, from.z - 0.21F - 0.02F * n},
-                                        {edge + 0.012F, block - 0.010F, from.z - 0.27F - 0.03F * n},
-                                        {edge + 0.055F, 0.060F, from.z - 0.33F - 0.03F * n},
-                                        {edge + 0.120F, 0.015F, from.z - 0.45F - 0.05F * n},
-                                        {1.97F + 0.05F * n, 0.014F, -0.95F + 0.04F * n},
-                                        {1.92F + 0.085F * n, 0.014F, -1.26F},
-                                        {2.03F + 0.06F * n, 0.050F, -1.53F}}};
+        const std::array<vec3, 14> run{
+            {from - vec3(0.035F, 0.0F, 0.0F),
+             from + vec3(0.030F, -0.002F, 0.0F),
+             from + vec3(0.105F + 0.012F * n, -0.045F, -0.006F * n),
+             from + vec3(0.150F + 0.020F * n, -0.165F, -0.012F),
+             from + vec3(0.150F + 0.026F * n, -0.400F, -0.030F - 0.01F * n),
+             {from.x + 0.125F + 0.032F * n, block + 0.12F, from.z - 0.06F},
+             {from.x + 0.155F + 0.030F * n, block + 0.012F, from.z - 0.12F},
+             {edge - 0.050F, block + 0.004F, from.z - 0.21F - 0.02F * n},
+             {edge + 0.012F, block - 0.010F, from.z - 0.27F - 0.03F * n},
+             {edge + 0.055F, 0.060F, from.z - 0.33F - 0.03F * n},
+             {edge + 0.120F, 0.015F, from.z - 0.45F - 0.05F * n},
+             {1.97F + 0.05F * n, 0.014F, -0.95F + 0.04F * n},
+             {1.92F + 0.085F * n, 0.014F, -1.26F},
+             {2.03F + 0.06F * n, 0.050F, -1.53F}}};
         hall.put(Surface::kRubber, slack_cable(run, 0.0125F, 10), glm::mat4(1.0F), 544U);
         const std::array<vec2, 5> collar{
             {{0.0F, 0.0F}, {0.024F, 0.0F}, {0.024F, 0.020F}, {0.017F, 0.034F}, {0.0F, 0.034F}}};
