@@ -91,7 +91,10 @@ class FaceForm final : public Shape {
     static constexpr float kLow = -0.1215F;
     static constexpr float kHigh = 0.082F;
 
-    static float deepest_of(const glm::vec4& row) { return std::max(0.7F * row.x, 0.002F); }
+    /// Nowhere inside is it further to the surface: the jaw is thin behind its edge.
+    static float deepest_of(const glm::vec4& row) {
+        return std::max(std::min({0.7F * row.x, row.z - row.y, row.y - row.w}), 0.002F);
+    }
 
     /// A spline through the rows whose slopes are those of the parabola through three of them.
     static glm::vec4 row_at(float y) {
