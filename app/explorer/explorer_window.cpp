@@ -25,7 +25,7 @@ constexpr float kHeading_px = 19.0F;
 constexpr float kSmall_px = 13.0F;
 /// A screen with more rows than this is held for one of small pixels, even if it does not say so.
 constexpr float kRowsOfUsualScreen = 1250.0F;
-constexpr WindowSize kUsual{1600, 900};
+constexpr WindowSize kUsual{1600, 900};  ///< on a screen of usual pixels
 
 }  // namespace
 
@@ -63,7 +63,9 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
     glfwWindowHint(GLFW_RESIZABLE, GLFW_TRUE);
     // A driver that was reset says so, where it can.
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
-    WindowSize wanted = size.value_or(kUsual);
+    const float scale = screen_scale();
+    WindowSize wanted = size.value_or(WindowSize{static_cast<int>(scale * kUsual.width),
+                                                 static_cast<int>(scale * kUsual.height)});
     int left = 0;
     int top = 0;
     WindowSize room = wanted;
@@ -106,10 +108,12 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
         glfwTerminate();
         throw;
     }
+    kept_panel_ = std::make_unique<KeptPanel>();
     glfwFocusWindow(window_);
 }
 
 ExplorerWindow::~ExplorerWindow() {
+    kept_panel_.reset();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -120,9 +124,10 @@ ExplorerWindow::~ExplorerWindow() {
 float ExplorerWindow::screen_scale() const {
     float across = 1.0F;
     float down = 1.0F;
-    glfwGetWindowContentScale(window_, &across, &down);
     float rows = 0.0F;
+    if (window_ != nullptr) glfwGetWindowContentScale(window_, &across, &down);
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        if (window_ == nullptr) glfwGetMonitorContentScale(monitor, &across, &down);
         if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
             rows = static_cast<float>(mode->height);
         }
@@ -203,8 +208,13 @@ void ExplorerWindow::show_short_presses() {
     if (!shown_.empty()) set_modifiers(modifiers);
 }
 
-void ExplorerWindow::end_frame() {
+void ExplorerWindow::end_frame(const std::optional<PanelPlace>& kept) {
     ImGui::Render();
+    if (kept) {
+        kept_panel_->put_picture(*ImGui::GetDrawData(), *kept, now_s());
+    } else {
+        kept_panel_->forget();
+    }
     const WindowSize now = size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDisable(GL_SCISSOR_TEST);

@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/explorer/kept_panel.h"
 #include "app/window/fonts.h"
 
 struct GLFWwindow;
@@ -40,8 +42,8 @@ class ExplorerWindow {
     /// `not_before_s`, unless `at_once` says so when the window is woken.
     void begin_frame(double wait_s, double not_before_s = 0.0,
                      const std::function<bool()>& at_once = {});
-    /// Draws it and shows it.
-    void end_frame();
+    /// Draws it and shows it. `kept` is a panel that may be shown as it was a moment ago.
+    void end_frame(const std::optional<PanelPlace>& kept = std::nullopt);
     /// From any thread: ends the waiting of begin_frame.
     static void wake();
 
@@ -75,6 +77,7 @@ class ExplorerWindow {
     };
 
     GLFWwindow* window_ = nullptr;
+    std::unique_ptr<KeptPanel> kept_panel_;  ///< while there is a context
     window::Fonts fonts_;
     float text_scale_ = 1.0F;
     float wanted_text_scale_ = 1.0F;

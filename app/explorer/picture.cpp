@@ -75,7 +75,7 @@ constexpr Rgb kEmpty{96, 96, 104};  ///< where there is no surface
     };
     // Near is light, as in fog.
     return {painted(shot.width, shot.height, colour),
-            {[](float value) { return viridis(1.0F - value); }, range.low, range.high, false, "m"},
+            {[](float value) { return viridis(1.0F - value); }, range.low, range.high, false, " m"},
             ""};
 }
 

@@ -72,11 +72,15 @@ void level_menu(Desk& desk) {
 }
 
 void exposure_field(Desk& desk) {
-    NumberField field{
-        "exposure", "Factor of the light before the tone curve; 0 is the scene's own.",
-        "",         0.0,
-        16.0,       0.0,
-        false,      desk.model.choices().scene.settings.exposure.value_or(0.0F)};
+    NumberField field{"exposure",
+                      "Factor of the light before the tone curve; 0 is the scene's own.",
+                      "",
+                      0.0,
+                      16.0,
+                      0.0,
+                      false,
+                      desk.model.choices().scene.settings.exposure.value_or(0.0F),
+                      "the scene's own"};
     if (const auto value = number_field(desk, field)) {
         desk.model.change(
             [&](Choices& to) {
