@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,10 +92,10 @@ void change_layout(Desk& desk, Deed deed) {
             pane.side = pane.side == 'a' ? 'b' : 'a';
             break;
         case Deed::kZoomIn:
-            layout.zoom = next_zoom(layout.zoom, 1);
+            layout.zoom = next_zoom(layout.zoom, true, desk.state.whole_zoom);
             break;
         case Deed::kZoomOut:
-            layout.zoom = next_zoom(layout.zoom, -1);
+            layout.zoom = next_zoom(layout.zoom, false, desk.state.whole_zoom);
             break;
         default:
             layout.zoom = 0.0F;
@@ -103,6 +104,13 @@ void change_layout(Desk& desk, Deed deed) {
     }
     if (layout.arrangement != Arrangement::kFour) desk.state.active_pane = 0;
     desk.model.set_layout(layout, desk.now_s);
+}
+
+/// The window has the keys, and shows which of its fields they are for.
+void show_where_keys_go(const char* window) {
+    ImGui::SetWindowFocus(window);
+    if (ImGuiWindow* found = ImGui::FindWindowByName(window)) ImGui::NavInitWindow(found, true);
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
 void act(Desk& desk, Deed deed) {
@@ -162,7 +170,8 @@ void act(Desk& desk, Deed deed) {
             break;
         case Deed::kToPanels:
             state.panels = true;
-            ImGui::SetWindowFocus("##side");
+            state.keys_in_panels = true;
+            show_where_keys_go("##side");
             break;
         case Deed::kLargerText:
             state.text_scale = std::min(state.text_scale * 1.1F, 3.0F);
@@ -209,18 +218,22 @@ bool keyboard_and_gamepad(Desk& desk, double frame_s) {
         if (!desk.opening.empty()) desk.orders.cancel_opening = true;
         ImGui::SetWindowFocus(nullptr);
         desk.state.help = false;
+        desk.state.keys_in_panels = false;
     }
     const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
     const bool in_panel = io.WantTextInput || popup || ImGui::IsAnyItemActive();
     if (in_panel) return false;
+    const bool goes_through_panels = io.NavVisible || desk.state.keys_in_panels;
     for (const Key& key : keys()) {
         // Keys without a modifier are the panels' own while one is gone through by keyboard.
-        if (!key.control && !key.alt && key.key < GLFW_KEY_F1 && io.NavVisible) continue;
+        if (!key.control && !key.alt && key.key < GLFW_KEY_F1 && goes_through_panels) {
+            continue;
+        }
         if (key.control != io.KeyCtrl || key.alt != io.KeyAlt) continue;
         const int code = key.letter != 0 ? window::key_of_letter(key.letter) : key.key;
         if (ImGui::IsKeyPressed(code, false)) act(desk, key.deed);
     }
-    if (io.NavVisible) return false;
+    if (goes_through_panels) return false;
     if (!io.KeyCtrl && !io.KeyAlt) digits(desk);
     Push push = of_keys();
     const Push pad = of_gamepad();

@@ -71,6 +71,8 @@ struct PanelState {
     int active_pane = 0;
     std::vector<Message> messages;
     float text_scale = 1.0F;
+    float whole_zoom = 1.0F;      ///< screen pixels of one of the image's, where all of it is shown
+    bool keys_in_panels = false;  ///< they go through the panels and do not fly
     std::map<char, KeptComparison> comparisons;  ///< by side
     std::vector<FittedValues> fitted;            ///< of the last `measure --fit` in the data folder
     /// Middles of the fields, by panel and name (`b/radius_m`, `b/technique/hbao`), as they were

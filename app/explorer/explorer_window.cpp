@@ -25,7 +25,7 @@ constexpr float kHeading_px = 19.0F;
 constexpr float kSmall_px = 13.0F;
 /// A screen with more rows than this is held for one of small pixels, even if it does not say so.
 constexpr float kRowsOfUsualScreen = 1250.0F;
-constexpr WindowSize kUsual{1600, 900};
+constexpr WindowSize kUsual{1600, 900};  ///< on a screen of usual pixels
 
 }  // namespace
 
@@ -39,6 +39,7 @@ struct ExplorerWindow::Callbacks {
     }
     static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
         note_input(window);
+        of(window).pressed_ |= action == GLFW_PRESS;
         if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) {
             of(window).presses_.push_back({key, modifiers});
         }
@@ -46,6 +47,7 @@ struct ExplorerWindow::Callbacks {
     static void pointer(GLFWwindow* window, double, double) { note_input(window); }
     static void button(GLFWwindow* window, int, int action, int) {
         note_input(window);
+        of(window).pressed_ |= action == GLFW_PRESS;
         // Without a window manager a click alone brings no window to the keys.
         if (action == GLFW_PRESS && glfwGetWindowAttrib(window, GLFW_FOCUSED) != GLFW_TRUE) {
             glfwFocusWindow(window);
@@ -63,7 +65,9 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
     glfwWindowHint(GLFW_RESIZABLE, GLFW_TRUE);
     // A driver that was reset says so, where it can.
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
-    WindowSize wanted = size.value_or(kUsual);
+    const float scale = screen_scale();
+    WindowSize wanted = size.value_or(WindowSize{static_cast<int>(scale * kUsual.width),
+                                                 static_cast<int>(scale * kUsual.height)});
     int left = 0;
     int top = 0;
     WindowSize room = wanted;
@@ -106,10 +110,12 @@ ExplorerWindow::ExplorerWindow(const std::optional<WindowSize>& size) {
         glfwTerminate();
         throw;
     }
+    kept_panel_ = std::make_unique<KeptPanel>();
     glfwFocusWindow(window_);
 }
 
 ExplorerWindow::~ExplorerWindow() {
+    kept_panel_.reset();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -120,9 +126,10 @@ ExplorerWindow::~ExplorerWindow() {
 float ExplorerWindow::screen_scale() const {
     float across = 1.0F;
     float down = 1.0F;
-    glfwGetWindowContentScale(window_, &across, &down);
     float rows = 0.0F;
+    if (window_ != nullptr) glfwGetWindowContentScale(window_, &across, &down);
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        if (window_ == nullptr) glfwGetMonitorContentScale(monitor, &across, &down);
         if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
             rows = static_cast<float>(mode->height);
         }
@@ -203,8 +210,13 @@ void ExplorerWindow::show_short_presses() {
     if (!shown_.empty()) set_modifiers(modifiers);
 }
 
-void ExplorerWindow::end_frame() {
+void ExplorerWindow::end_frame(const std::optional<PanelPlace>& kept) {
     ImGui::Render();
+    if (kept) {
+        kept_panel_->put_picture(*ImGui::GetDrawData(), *kept, now_s());
+    } else {
+        kept_panel_->forget();
+    }
     const WindowSize now = size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDisable(GL_SCISSOR_TEST);
@@ -214,6 +226,7 @@ void ExplorerWindow::end_frame() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     first_input_s_.reset();
+    pressed_ = false;
 }
 
 bool ExplorerWindow::is_lost() const {

@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/explorer/kept_panel.h"
 #include "app/window/fonts.h"
 
 struct GLFWwindow;
@@ -40,8 +42,8 @@ class ExplorerWindow {
     /// `not_before_s`, unless `at_once` says so when the window is woken.
     void begin_frame(double wait_s, double not_before_s = 0.0,
                      const std::function<bool()>& at_once = {});
-    /// Draws it and shows it.
-    void end_frame();
+    /// Draws it and shows it. `kept` is a panel that may be shown as it was a moment ago.
+    void end_frame(const std::optional<PanelPlace>& kept = std::nullopt);
     /// From any thread: ends the waiting of begin_frame.
     static void wake();
 
@@ -52,6 +54,9 @@ class ExplorerWindow {
     [[nodiscard]] float text_scale() const { return text_scale_; }
     /// When the first input came that no frame has shown yet; nothing: none did.
     [[nodiscard]] std::optional<double> first_input_s() const { return first_input_s_; }
+
+    /// Whether a key or button went down that no frame has shown yet.
+    [[nodiscard]] bool pressed() const { return pressed_; }
 
     /// Whether the driver was reset, so that nothing can be drawn in this window any more.
     [[nodiscard]] bool is_lost() const;
@@ -75,6 +80,7 @@ class ExplorerWindow {
     };
 
     GLFWwindow* window_ = nullptr;
+    std::unique_ptr<KeptPanel> kept_panel_;  ///< while there is a context
     window::Fonts fonts_;
     float text_scale_ = 1.0F;
     float wanted_text_scale_ = 1.0F;
@@ -83,6 +89,7 @@ class ExplorerWindow {
     std::vector<Press> presses_;  ///< since the last frame
     std::vector<int> shown_;      ///< keys that are down for this frame alone
     std::optional<double> first_input_s_;
+    bool pressed_ = false;
     bool told_lost_ = false;
 };
 

@@ -75,7 +75,9 @@ void name_cell(const std::string& name, const std::string& tip, bool differs) {
     constexpr std::size_t kShort = 4;
     const bool short_unit = !field.unit.empty() && field.unit.size() <= kShort;
     const std::string form =
-        (field.whole ? "%.0f" : "%.4g") + (short_unit ? " " + field.unit : std::string());
+        value == 0.0 && !field.at_zero.empty()
+            ? field.at_zero
+            : (field.whole ? "%.0f" : "%.4g") + (short_unit ? " " + field.unit : std::string());
     ImGui::SetNextItemWidth(width_px);
     const bool changed = ImGui::SliderScalar(
         "##slider", ImGuiDataType_Double, &value, &field.low, &field.high, form.c_str(),
@@ -149,8 +151,9 @@ std::optional<double> number_field(Desk& desk, const NumberField& field) {
 std::optional<std::string> choice_field(Desk& desk, const std::string& name, const std::string& tip,
                                         const std::vector<std::string>& words,
                                         const std::string& now,
-                                        const std::vector<std::string>& tooltips) {
-    name_cell(name, tip, false);
+                                        const std::vector<std::string>& tooltips,
+                                        const std::string& standard) {
+    name_cell(name, tip, !standard.empty() && now != standard);
     std::optional<std::string> chosen;
     ImGui::PushID(name.c_str());
     ImGui::SetNextItemWidth(-1.0F);

@@ -20,6 +20,7 @@ struct NumberField {
     double standard = 0.0;
     bool whole = false;
     double value = 0.0;
+    std::string at_zero = {};  ///< what is shown in place of 0, where that stands for something
 };
 
 /// A slider with its name before it, marked where it is not at its standard, and a button that
@@ -32,11 +33,13 @@ struct NumberField {
                                                  std::string& problem);
 
 /// One word out of a list, with its name before it; gives another that was chosen. `tooltips` may
-/// be shorter than `words`.
-[[nodiscard]] std::optional<std::string> choice_field(
-    Desk& desk, const std::string& name, const std::string& tooltip,
-    const std::vector<std::string>& words, const std::string& now,
-    const std::vector<std::string>& tooltips = {});
+/// be shorter than `words`. Marked where it is not `standard`, if there is one.
+[[nodiscard]] std::optional<std::string> choice_field(Desk& desk, const std::string& name,
+                                                      const std::string& tooltip,
+                                                      const std::vector<std::string>& words,
+                                                      const std::string& now,
+                                                      const std::vector<std::string>& tooltips = {},
+                                                      const std::string& standard = "");
 
 /// A line of text. True when Enter was pressed.
 bool text_field(const char* name, std::string& text, float width_px);

@@ -83,13 +83,17 @@ Layout Layout::sane() const {
     return sane;
 }
 
-float next_zoom(float zoom, int steps) {
-    static constexpr std::array kZooms{0.0F, 0.25F, 0.5F,  1.0F,  2.0F,
-                                       4.0F, 8.0F,  16.0F, 32.0F, kMostZoom};
-    const auto above = std::upper_bound(kZooms.begin(), kZooms.end(), std::max(0.0F, zoom));
-    const auto at = static_cast<int>(above - kZooms.begin()) - 1;
-    return kZooms[static_cast<std::size_t>(
-        std::clamp(at + steps, 0, static_cast<int>(kZooms.size()) - 1))];
+float next_zoom(float zoom, bool larger, float whole) {
+    static constexpr std::array kZooms{0.25F, 0.5F,  1.0F,  2.0F,     4.0F,
+                                       8.0F,  16.0F, 32.0F, kMostZoom};
+    const float now = zoom > 0.0F ? zoom : whole;
+    if (larger) {
+        const auto above = std::upper_bound(kZooms.begin(), kZooms.end(), now);
+        return above != kZooms.end() ? *above : kMostZoom;
+    }
+    const auto here = std::lower_bound(kZooms.begin(), kZooms.end(), now);
+    const float below = here != kZooms.begin() ? *(here - 1) : 0.0F;
+    return below > whole ? below : 0.0F;
 }
 
 }  // namespace obscura::app::explorer

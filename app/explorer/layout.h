@@ -73,7 +73,8 @@ struct Layout {
 inline constexpr float kMostZoom = 64.0F;
 inline constexpr double kMostFlicker_hz = 10.0;  ///< faster could hurt people who see it
 
-/// The zooms to step through: 0, then powers of two from 1/4 to kMostZoom.
-[[nodiscard]] float next_zoom(float zoom, int steps);
+/// The next zoom, larger or smaller: powers of two up to kMostZoom, and 0 where it would be no
+/// larger than `whole`, that of an image as large as its pane holds.
+[[nodiscard]] float next_zoom(float zoom, bool larger, float whole);
 
 }  // namespace obscura::app::explorer

@@ -11,7 +11,6 @@
 #include "app/explorer/flight.h"
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
-#include "renderer/frame/explain.h"
 #include "renderer/frame/kept_shadows.h"
 #include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
@@ -121,9 +120,11 @@ Shot Photographer::take(const ShotRequest& request, char side,
     };
     const renderer::Variant& variant = choices.side(side);
     const auto rays = [this]() -> const renderer::ReferenceScene& { return scene_->rays(); };
-    const renderer::Frame frame =
-        renderer_.render({*stage.gpu, lighting_, request.camera, options, trace, rays}, variant,
-                         width, height, stage.known);
+    renderer::View view{*stage.gpu, lighting_, request.camera, options, trace, rays};
+    // Of an image that no better one takes passes over from, nobody is told what they took.
+    view.timed = !(software_ && request.quality == Quality::kMoving &&
+                   (&stage == &coarse_ || request.divisor > 1));
+    const renderer::Frame frame = renderer_.render(view, variant, width, height, stage.known);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
     if (frame.taken_over().size() < buffers.times.size()) stage.known = std::move(buffers);
@@ -152,7 +153,6 @@ Shot Photographer::take(const ShotRequest& request, char side,
         }
     }
     shot.times = renderer::by_name(frame.times);
-    shot.explanation = renderer::explanation_of(frame);
     shot.bytes = frame.plan().bytes();
     shot.left_out = frame.plan().left_out;
     shot.fetches = renderer::fetches_per_pixel(variant);

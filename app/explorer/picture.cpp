@@ -75,7 +75,7 @@ constexpr Rgb kEmpty{96, 96, 104};  ///< where there is no surface
     };
     // Near is light, as in fog.
     return {painted(shot.width, shot.height, colour),
-            {[](float value) { return viridis(1.0F - value); }, range.low, range.high, false, "m"},
+            {[](float value) { return viridis(1.0F - value); }, range.low, range.high, false, " m"},
             ""};
 }
 
@@ -179,7 +179,7 @@ Picture picture_of(const Shot& shot, const Truth* truth, const std::string& laye
                    const Layout& layout) {
     if (layer == layer::kImage) return {{shot.width, shot.height, shot.rgb}, {}, ""};
     if (needs_buffers(layer) && shot.buffers.channels.empty()) {
-        return missing("Not while something moves.");
+        return missing("Comes with the image at full size.");
     }
     if (needs_truth(layer)) {
         const bool known =

@@ -42,7 +42,7 @@ std::string pixel_text(const Model& model, const glm::vec2& at_px) {
     }
     const auto& truth = model.truth();
     if (truth && truth->width() == width && truth->height() == height && truth->rays(i) > 0) {
-        text += fmt::format("   truth {:.4f} +- {:.4f} ({} rays)", truth->accessibility(i),
+        text += fmt::format("   truth {:.4f} \u00b1 {:.4f} ({} rays)", truth->accessibility(i),
                             truth->standard_error(i), truth->rays(i));
     }
     for (const char side : {'a', 'b'}) {

@@ -61,8 +61,7 @@ struct Shot {
     renderer::FloatImage buffers;   ///< stimuli::buffers_of; without channels where not asked for
     std::vector<float> emission;    ///< three a pixel; empty where there is none
     std::vector<OwnBuffer> own;
-    std::vector<renderer::PassTime> times;  ///< passes as people are told of them
-    std::string explanation;                ///< renderer::explanation_of
+    std::vector<renderer::PassTime> times;  ///< passes as people are told of them; 0 where untimed
     std::size_t bytes = 0;                  ///< of the plan's buffers
     std::vector<renderer::LeftOut> left_out;
     int fetches = 0;          ///< a pixel, of technique and filter

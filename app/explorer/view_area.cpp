@@ -67,8 +67,9 @@ void draw_scale(const Scale& scale, const glm::vec2& right_bottom) {
     }
     for (const float share : {0.0F, 0.5F, 1.0F}) {
         const float value = scale.low + share * (scale.high - scale.low);
-        const std::string number = scale.diverging ? fmt::format("{:+.2g}", value)
-                                                   : fmt::format("{:.3g}{}", value, scale.unit);
+        const std::string number = scale.diverging && value != 0.0F
+                                       ? fmt::format("{:+.2g}", value)
+                                       : fmt::format("{:.3g}{}", value, scale.unit);
         const float width = ImGui::CalcTextSize(number.c_str()).x;
         list.AddText({low.x + share * (size.x - width), low.y + size.y + 0.1F * text}, kOnLabel,
                      number.c_str());
@@ -196,6 +197,10 @@ void ViewArea::draw(Desk& desk, const Box& area) {
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse);
     const Layout& layout = desk.model.layout();
     const std::vector<Pane> panes = layout.visible(desk.now_s);
+    const bool four = layout.arrangement == Arrangement::kFour;
+    const glm::vec2 room = glm::max((four ? cell_of(area, 0) : area).size(), glm::vec2(1.0F));
+    const glm::vec2 fits = room / image_px(desk.model.choices());
+    desk.state.whole_zoom = std::min(fits.x, fits.y);
     if (layout.arrangement == Arrangement::kSplit) {
         const float line = std::round(area.low.x + layout.split * area.size().x);
         draw_pane(desk, area, {area.low, {line, area.high.y}}, panes[0]);
@@ -254,6 +259,7 @@ void ViewArea::press(Desk& desk, const Box& area, int button, const glm::vec2& a
     const Layout& layout = desk.model.layout();
     pane_ = box_under(desk, area, at);
     button_ = button;
+    desk.state.keys_in_panels = false;
     const glm::vec2 image = image_px(desk.model.choices());
     began_px_ = placed(pane_, image, layout).pixel_at(at);
     if (layout.arrangement == Arrangement::kFour) {
@@ -334,10 +340,7 @@ void ViewArea::wheel(Desk& desk, const Box& area, const glm::vec2& at) {
     Layout layout = desk.model.layout();
     const Placement before = placed(pane, image, layout);
     const glm::vec2 pixel = before.pixel_at(at);
-    layout.zoom = next_zoom(layout.zoom == 0.0F && io.MouseWheel > 0.0F
-                                ? std::exp2(std::floor(std::log2(before.scale)))
-                                : layout.zoom,
-                            io.MouseWheel > 0.0F ? 1 : -1);
+    layout.zoom = next_zoom(layout.zoom, io.MouseWheel > 0.0F, desk.state.whole_zoom);
     if (layout.zoom > 0.0F) {
         layout.middle = (pixel + (0.5F * (pane.low + pane.high) - at) / layout.zoom) / image;
     }

@@ -18,6 +18,7 @@ struct Renderer::Job {
     Camera seen_source;  ///< the same of `seen`
     const TracedAccessibility& traced;
     const RaysOfScene& rays;
+    bool timed;
     glm::ivec2 size{0};  ///< of the buffers that are attached
 
     [[nodiscard]] bool has(std::string_view buffer) const { return plan.find(buffer) != nullptr; }

@@ -56,7 +56,8 @@ Renderer::Job Renderer::job_of(const View& view, const FramePlan& plan, Frame& f
             view.camera,
             seen,
             view.traced,
-            view.rays};
+            view.rays,
+            view.timed};
 }
 
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
@@ -212,6 +213,11 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& 
     gl::TimestampQueries timestamps(2 * job.plan.passes.size());
     for (const PlannedPass& planned : job.plan.passes) {
         if (!wanted(planned.phase)) continue;
+        if (!job.timed) {
+            run_pass(job, planned);
+            times.push_back({planned.phase, planned.name});
+            continue;
+        }
         timestamps.mark();
         const auto start = std::chrono::steady_clock::now();
         run_pass(job, planned);
@@ -221,7 +227,7 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& 
             std::chrono::steady_clock::now() - start;
         times.push_back({planned.phase, planned.name, spent.count(), 0.0});
     }
-    for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t i = 0; job.timed && i < times.size(); ++i) {
         times[i].query_milliseconds = timestamps.milliseconds(2 * i, 2 * i + 1);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

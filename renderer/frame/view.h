@@ -30,6 +30,8 @@ struct View {
     RaysOfScene rays = {};            ///< nothing: a recipe with a step on the processor is refused
     /// In place of what scene and light ask for: needs_of_everything.
     std::optional<SceneNeeds> needs = {};
+    /// False: no pass is waited for before the next one, which is quicker, and all times are 0.
+    bool timed = true;
 };
 
 /// The plan of an image of the view. Throws as plan_frame does.

@@ -79,6 +79,24 @@ class TakenOver : public testing::Test {
     renderer::Lighting lighting_;
 };
 
+TEST_F(TakenOver, AnImageThatNobodyTimesIsTheSameToTheByteAndHasNoTimes) {
+    for (const char* name : {"none", "blizzard", "gtao"}) {
+        const auto render = [&](bool timed) {
+            renderer::View view{gpu_, lighting_, tests::forward_camera()};
+            view.timed = timed;
+            return renderer_.render(view, tests::choice_of(name), 48, 32);
+        };
+        const Frame timed = render(true);
+        const Frame untimed = render(false);
+        EXPECT_TRUE(untimed.read_display() == timed.read_display()) << name;
+        ASSERT_EQ(untimed.times.size(), timed.times.size()) << name;
+        for (std::size_t i = 0; i < timed.times.size(); ++i) {
+            EXPECT_EQ(untimed.times[i].name, timed.times[i].name);
+            EXPECT_EQ(untimed.times[i].milliseconds, 0.0) << untimed.times[i].name;
+        }
+    }
+}
+
 TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
     const renderer::Scene scene = tests::scene_of_all_kinds();
     const renderer::GpuScene gpu(scene);

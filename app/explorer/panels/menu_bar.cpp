@@ -74,8 +74,10 @@ void view_menu(Desk& desk) {
         if (ImGui::MenuItem(name, key.c_str(), pane.layer == name)) pane.layer = name;
     }
     ImGui::Separator();
-    if (line("Zoom in", Deed::kZoomIn)) layout.zoom = next_zoom(layout.zoom, 1);
-    if (line("Zoom out", Deed::kZoomOut)) layout.zoom = next_zoom(layout.zoom, -1);
+    if (line("Zoom in", Deed::kZoomIn))
+        layout.zoom = next_zoom(layout.zoom, true, desk.state.whole_zoom);
+    if (line("Zoom out", Deed::kZoomOut))
+        layout.zoom = next_zoom(layout.zoom, false, desk.state.whole_zoom);
     if (line("Panels", Deed::kPanels, true, desk.state.panels)) {
         desk.state.panels = !desk.state.panels;
     }

@@ -82,15 +82,16 @@ void denoise_menu(Desk& desk, char side, const Technique& technique, const Varia
         names.push_back(denoise.name);
         citations.push_back(denoise.citation);
     }
-    const auto chosen = choice_field(desk, "denoise", "Filter of the accessibility buffer", names,
-                                     variant.denoise, citations);
+    const auto chosen =
+        choice_field(desk, "denoise", "Filter of the accessibility buffer", names, variant.denoise,
+                     citations, renderer::standard_denoise(technique));
     if (chosen) edit(desk, side, "", [&](Variant& to) { to.denoise = *chosen; });
 }
 
 void option_menus(Desk& desk, char side, const Variant& variant) {
     for (const renderer::VariantOption& option : renderer::variant_options()) {
-        const auto chosen =
-            choice_field(desk, option.name, option.meaning, option.allowed, variant.*option.value);
+        const auto chosen = choice_field(desk, option.name, option.meaning, option.allowed,
+                                         variant.*option.value, {}, option.standard());
         if (chosen) edit(desk, side, "", [&](Variant& to) { to.*option.value = *chosen; });
     }
 }

@@ -64,7 +64,8 @@ void scale_fields(Desk& desk, Layout& layout) {
         NumberField high{"depth to", "Where they end; 0: what is seen decides.",
                          "m",        0.0,
                          1000.0,     0.0,
-                         false,      layout.depth_high_m};
+                         false,      layout.depth_high_m,
+                         "as seen"};
         if (const auto value = number_field(desk, high)) {
             layout.depth_high_m = static_cast<float>(*value);
         }

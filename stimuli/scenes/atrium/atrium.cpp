@@ -35,7 +35,7 @@ renderer::Scene build() {
     renderer::Scene scene = site.take();
     scene.name = "atrium";
     scene.cameras.push_back(camera("nave", {-1.5F, 1.8F, 10.3F}, {0.45F, 3.1F, 0.0F}, 58.0F));
-    scene.cameras.push_back(camera("gallery", {5.6F, 7.3F, 7.4F}, {-2.6F, 5.4F, -0.4F}, 58.0F));
+    scene.cameras.push_back(camera("gallery", {5.6F, 7.3F, 6.55F}, {-2.6F, 5.4F, -1.25F}, 58.0F));
     scene.cameras.push_back(camera("corner", {0.3F, 1.7F, 6.6F}, {3.7F, 1.75F, 2.2F}, 54.0F));
     return scene;
 }

@@ -140,18 +140,36 @@ renderer::Mesh eyeball(const Eye& eye) {
 
 renderer::Mesh card_of(const Wisp& wisp) {
     PatchOptions options;
-    options.columns = 1;
+    options.columns = 2;
     options.rows = static_cast<int>(wisp.path_m.size()) - 1;
+    const auto row_of = [&](float v) {
+        return std::min(static_cast<std::size_t>(v * static_cast<float>(options.rows)),
+                        wisp.path_m.size() - 2);
+    };
     renderer::Mesh card = patch(options, [&](float u, float v) {
-        const float step = v * static_cast<float>(options.rows);
-        const auto i = std::min(static_cast<std::size_t>(step), wisp.path_m.size() - 2);
-        const glm::vec3 at =
-            glm::mix(wisp.path_m[i], wisp.path_m[i + 1], step - static_cast<float>(i));
-        const glm::vec3 along = wisp.path_m[i + 1] - wisp.path_m[i];
-        const glm::vec3 across = glm::normalize(glm::cross(along, wisp.outwards));
-        return at + across * (wisp.width_m * (u - 0.5F));
+        const auto i = row_of(v);
+        const float t = v * static_cast<float>(options.rows) - static_cast<float>(i);
+        const glm::vec3 at = glm::mix(wisp.path_m[i], wisp.path_m[i + 1], t);
+        const glm::vec3 way =
+            wisp.path_m[std::min(i + 2, wisp.path_m.size() - 1)] - wisp.path_m[i == 0 ? 0 : i - 1];
+        const glm::vec3 out = glm::normalize(at - wisp.inside_m);
+        const glm::vec3 across = glm::normalize(glm::cross(way, out));
+        // Bent a little over what it lies on.
+        const float off = 2.0F * std::abs(u - 0.5F);
+        return at + across * (wisp.width_m * (u - 0.5F)) - out * (0.10F * wisp.width_m * off * off);
     });
-    paint(card, [&](const glm::vec3&, const glm::vec3&) { return wisp.colour; });
+    for (renderer::Vertex& vertex : card.vertices) {
+        // As smooth as what it is part of, a little rounder.
+        const glm::vec3 out = glm::normalize(vertex.position_m - wisp.inside_m);
+        vertex.normal = glm::normalize(glm::mix(vertex.normal, out, 0.6F));
+        const float shade = glm::mix(wisp.root_shade, 1.0F, std::min(1.0F, 1.6F * vertex.uv.y));
+        vertex.color =
+            glm::u8vec4(glm::clamp(wisp.colour * shade, 0.0F, 1.0F) * 255.0F + 0.5F, 255);
+        vertex.uv.x = (static_cast<float>(wisp.strip) + 0.02F + 0.96F * vertex.uv.x) / 4.0F;
+        vertex.uv.y = 0.004F + 0.992F * vertex.uv.y;
+    }
+    turn_normals_outwards(card);
+    make_tangents(card);
     return card;
 }
 
@@ -168,6 +186,20 @@ renderer::Mesh mesh_of(const Figure& figure, const FigurePart& part, const NearF
     project_box_uv(mesh);
     for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= part.texture_m;
     return mesh;
+}
+
+void add_overlaid(renderer::Scene& scene, const Figure& figure, const NearField& field) {
+    for (const Overlaid& piece : figure.overlaid) {
+        renderer::Mesh mesh = piece.mesh;
+        paint(mesh, [&](const glm::vec3& p, const glm::vec3& normal) {
+            return glm::vec3(1.0F - 0.5F * occlusion_at(field, p + 0.004F * normal, normal));
+        });
+        mesh.name = figure.name + " " + piece.name;
+        mesh.material = static_cast<std::uint32_t>(piece.cloth);
+        project_box_uv(mesh);
+        for (renderer::Vertex& vertex : mesh.vertices) vertex.uv /= piece.texture_m;
+        scene.meshes.push_back(std::move(mesh));
+    }
 }
 
 void add_small_parts(renderer::Scene& scene, const Figure& figure) {
@@ -203,6 +235,7 @@ void add_to_scene(renderer::Scene& scene, const Figure& figure) {
         meshes[i] = mesh_of(figure, figure.parts[i], field);
     });
     std::move(meshes.begin(), meshes.end(), std::back_inserter(scene.meshes));
+    add_overlaid(scene, figure, field);
     add_small_parts(scene, figure);
 }
 

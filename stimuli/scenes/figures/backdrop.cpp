@@ -120,6 +120,9 @@ void add_window(Front& front, float x) {
                             {x + side * (0.5F + 0.5F * wide),
                              kLow + 0.15F + 0.3F * static_cast<float>(i), z - 0.105F});
         }
+        // Behind the stones, so that no plaster shows where their corners are cut.
+        front.stone_box({0.144F, kTop - kLow - 0.06F, 0.28F},
+                        {x + side * 0.575F, middle, z - 0.115F});
         front.timber_box({0.06F, kTop - kLow, 0.07F}, {x + side * 0.47F, middle, z - 0.09F}, 1.0F);
         front.timber_box({0.05F, kTop - kLow, 0.06F}, {x + side * 0.028F, middle, z - 0.085F},
                          1.0F);
@@ -161,6 +164,7 @@ void add_door(Front& front, float x) {
                             {x + side * (0.5F + 0.5F * wide), 0.30F + 0.37F * static_cast<float>(i),
                              z - 0.14F});
         }
+        front.stone_box({0.194F, 2.15F, 0.38F}, {x + side * 0.60F, 1.20F, z - 0.145F});
     }
     front.stone_box({1.5F, 0.32F, 0.42F}, {x, 2.44F, z - 0.14F});
     front.stone_box({1.5F, 0.14F, 0.55F}, {x, 0.06F, z + 0.08F});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <vector>
 
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/list.h"
@@ -23,17 +24,25 @@ renderer::Scene build() {
     renderer::Scene man;
     renderer::Scene woman;
     renderer::Scene scene;
+    std::vector<figures::Sole> soles_of_man;
+    std::vector<figures::Sole> soles_of_woman;
     for_each_row(3, [&](int which) {
         if (which == 0) {
-            figures::add_to_scene(man, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
+            const auto person = figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F));
+            soles_of_man = person.soles;
+            figures::add_to_scene(man, person);
         } else if (which == 1) {
-            figures::add_to_scene(woman, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
+            const auto person = figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F));
+            soles_of_woman = person.soles;
+            figures::add_to_scene(woman, person);
         } else {
             figures::add_materials(scene);
             figures::add_surroundings(scene);
             figures::add_backdrop(scene);
         }
     });
+    figures::paint_contact(scene, soles_of_man);
+    figures::paint_contact(scene, soles_of_woman);
     scene.name = "figures";
     for (renderer::Scene* person : {&woman, &man}) {
         scene.meshes.insert(scene.meshes.begin(), std::move_iterator(person->meshes.begin()),

@@ -1,245 +1,333 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "renderer/base/random.h"
 #include "stimuli/scenes/figures/figure.h"
-#include "stimuli/scenes/support/noise.h"
 
 namespace obscura::stimuli::figures {
 namespace {
 
 constexpr float kTurnHalf = std::numbers::pi_v<float>;
 
-/// The scalp as an ellipsoid that locks of hair are laid over.
+/// The scalp that hair grows on and lies over.
 struct Scalp {
     Placed at;
     float scale;
 
-    /// `turn_rad` from the forehead towards the left ear, `height_rad` up from the ears' height.
-    [[nodiscard]] glm::vec3 place(float turn_rad, float height_rad, float above_m) const {
-        const float c = std::cos(height_rad);
-        const glm::vec3 way(c * std::sin(turn_rad), std::sin(height_rad), c * std::cos(turn_rad));
-        const glm::vec3 p = glm::vec3(0.0F, 0.034F, -0.012F) +
-                            way * (glm::vec3(0.0755F, 0.083F, 0.0965F) + above_m);
-        return at(scale * p.x, scale * p.y, scale * p.z);
+    /// `turn_rad` from the forehead towards the left ear, `rise_rad` up from the ears' height.
+    [[nodiscard]] glm::vec3 own_place(float turn_rad, float rise_rad, float above_m) const {
+        const float c = std::cos(rise_rad);
+        const glm::vec3 way(c * std::sin(turn_rad), std::sin(rise_rad), c * std::cos(turn_rad));
+        return kScalpMiddle + way * (kScalpRadii + above_m);
     }
-    [[nodiscard]] glm::vec3 local(float x, float y, float z) const {
-        return at(scale * x, scale * y, scale * z);
+    [[nodiscard]] glm::vec3 place(float turn_rad, float rise_rad, float above_m) const {
+        return out(own_place(turn_rad, rise_rad, above_m));
     }
+    /// From metres of a head 0.235 m high to where it stands.
+    [[nodiscard]] glm::vec3 out(const glm::vec3& q) const {
+        return at(scale * q.x, scale * q.y, scale * q.z);
+    }
+    [[nodiscard]] glm::vec3 local(float x, float y, float z) const { return out({x, y, z}); }
 };
 
-void add_lock(Sculpture& hair, const Scalp& scalp, const std::vector<glm::vec4>& knots,
-              float height_share, const glm::vec3& colour) {
-    std::vector<Knot> path;
-    for (const glm::vec4& k : knots) {
-        path.push_back(
-            {scalp.place(k.x, k.y, k.z), scalp.scale * k.w * height_share, scalp.scale * k.w});
+/// How one lock grows from its root.
+struct Growth {
+    float long_m = 0.03F;
+    float wide_m = 0.014F;
+    float root_m = 0.001F;     ///< above the scalp at the root
+    float lift_m = 0.005F;     ///< above it in the middle
+    float end_m = 0.003F;      ///< above it at the end
+    float root_shade = 0.55F;  ///< of the colour at the root: other hair is around it
+    std::function<glm::vec3(const glm::vec3& q)> comb;  ///< which way it lies at q, any length
+};
+
+/// A lock along the scalp, metres of a head 0.235 m high.
+void grow(Figure& figure, const Scalp& scalp, float turn, float rise, const Growth& growth,
+          const glm::vec3& colour, base::Random& random) {
+    constexpr int kSteps = 6;
+    Wisp lock;
+    lock.strip = static_cast<int>(random.uniform(0.0, 3.0));
+    lock.colour = colour;
+    lock.root_shade = growth.root_shade;
+    lock.width_m = scalp.scale * growth.wide_m;
+    lock.inside_m = scalp.out(kScalpMiddle);
+    glm::vec3 q = scalp.own_place(turn, rise, 0.0F);
+    for (int i = 0; i <= kSteps; ++i) {
+        const float t = static_cast<float>(i) / kSteps;
+        const glm::vec3 up = glm::normalize((q - kScalpMiddle) / (kScalpRadii * kScalpRadii));
+        const float swell = std::sin(kTurnHalf * t);
+        const float above = glm::mix(growth.root_m, growth.end_m, t) + growth.lift_m * swell;
+        lock.path_m.push_back(scalp.out(q + up * above));
+        glm::vec3 way = growth.comb(q);
+        way -= up * glm::dot(up, way);
+        const float length = glm::length(way);
+        if (length < 1e-4F) continue;
+        q += way * (growth.long_m / (kSteps * length));
+        // Back onto the ellipsoid.
+        const glm::vec3 unit = (q - kScalpMiddle) / kScalpRadii;
+        q = kScalpMiddle + kScalpRadii * glm::normalize(unit);
     }
-    Curve curve = make_curve(path, 4, scalp.at.axes[1]);
-    const glm::vec3 middle = scalp.local(0.0F, 0.02F, -0.01F);
-    for (CurvePoint& point : curve) point.normal = glm::normalize(point.position_m - middle);
-    rebuild_frames(curve);
-    hair.add(tube(curve), {scalp.scale * 0.0025F, colour, true});
+    figure.wisps.push_back(std::move(lock));
 }
 
-/// Fine strands: a relief that runs along directions of constant `field`.
-Displacement strands(float height_m, std::function<float(const glm::vec3&)> field) {
-    return {[height_m, field = std::move(field)](const glm::vec3& p) {
-                const float phase = field(p) + 1.4F * gradient_noise(p * 30.0F, 3);
-                return height_m * std::sin(phase);
-            },
-            height_m};
-}
-
-/// Wisps over the hairline of forehead and temples, where `lean_rad` says how they are combed
-/// aside.
-void add_wisps(Figure& figure, const Sculpture& hair, const Scalp& scalp, float lean_rad,
-               const glm::vec3& colour) {
-    constexpr int kCards = 110;
-    base::Random random(53);
-    for (int i = 0; i < kCards; ++i) {
-        const float turn = 2.5F * ((static_cast<float>(i) + 0.5F) / kCards - 0.5F);
-        // Down over the hair until it ends.
-        float edge = 1.2F;
-        while (edge > -0.2F && hair.distance(scalp.place(turn, edge, 0.002F)) < 0.0F) edge -= 0.02F;
-        Wisp wisp;
-        const float length = static_cast<float>(random.uniform(0.16, 0.34));
-        const float from = edge - static_cast<float>(random.uniform(0.02, 0.14));
-        for (std::size_t k = 0; k < wisp.path_m.size(); ++k) {
-            const float t = static_cast<float>(k) / 4.0F;
-            const float aside = lean_rad * t * t;
-            const glm::vec3 root = scalp.place(turn + aside, from + length * t, 0.003F);
-            wisp.outwards = glm::normalize(root - scalp.local(0.0F, 0.034F, -0.012F));
-            const float above = hair.distance(root);
-            // Out of the skin first, then over the locks.
-            wisp.path_m[k] = above < 0.0F ? root + wisp.outwards * (0.0015F - above)
-                                          : root + 0.001F * wisp.outwards;
+/// Short dense hair close to the skull, below the locks: bands from the crown down.
+void add_base(Figure& figure, const Scalp& scalp, const std::function<float(float)>& hairline,
+              float above_m, float inset_rad, const glm::vec3& colour) {
+    constexpr int kBands = 28;
+    for (int i = 0; i < kBands; ++i) {
+        const float turn = 2.0F * kTurnHalf * (static_cast<float>(i) + 0.5F) / kBands - kTurnHalf;
+        const float low = hairline(std::abs(turn)) + inset_rad;
+        Wisp band;
+        band.strip = 3;
+        band.colour = colour;
+        band.root_shade = 1.0F;
+        band.width_m = scalp.scale * 0.0225F;
+        band.inside_m = scalp.out(kScalpMiddle);
+        for (int k = 0; k <= 10; ++k) {
+            const float t = static_cast<float>(k) / 10.0F;
+            const float rise = glm::mix(0.5F * kTurnHalf - 0.02F, low, t);
+            band.path_m.push_back(scalp.place(turn, rise, above_m * (1.0F - 0.6F * t * t)));
         }
-        wisp.width_m = scalp.scale * static_cast<float>(random.uniform(0.007, 0.013));
-        wisp.colour = colour * static_cast<float>(random.uniform(0.8, 1.25));
-        figure.wisps.push_back(wisp);
+        figure.wisps.push_back(std::move(band));
     }
+}
+
+float spread(base::Random& random, float size) {
+    return static_cast<float>(random.uniform(-size, size));
 }
 
 }  // namespace
 
+float along_line(std::span<const glm::vec2> line, float x) {
+    std::size_t i = 0;
+    while (i + 2 < line.size() && x > line[i + 1].x) ++i;
+    const float t = std::clamp((x - line[i].x) / (line[i + 1].x - line[i].x), 0.0F, 1.0F);
+    return glm::mix(line[i].y, line[i + 1].y, t * t * (3.0F - 2.0F * t));
+}
+
+float short_hairline(float turn_rad) {
+    // Forehead, a recess at the temple, the sideburn, over the ear, and down to the nape.
+    constexpr std::array<glm::vec2, 9> kLine{{{0.0F, 0.33F},
+                                              {0.35F, 0.36F},
+                                              {0.62F, 0.43F},
+                                              {0.90F, 0.32F},
+                                              {1.12F, 0.05F},
+                                              {1.32F, -0.36F},
+                                              {1.62F, -0.12F},
+                                              {2.00F, -0.62F},
+                                              {3.20F, -0.98F}}};
+    return along_line(kLine, turn_rad);
+}
+
+float long_hairline(float turn_rad) {
+    constexpr std::array<glm::vec2, 8> kLine{{{0.0F, 0.35F},
+                                              {0.35F, 0.36F},
+                                              {0.70F, 0.33F},
+                                              {1.00F, 0.14F},
+                                              {1.28F, -0.24F},
+                                              {1.62F, -0.20F},
+                                              {2.00F, -0.55F},
+                                              {3.20F, -0.90F}}};
+    return along_line(kLine, turn_rad);
+}
+
 void add_short_hair(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
     const Scalp scalp{at, scale};
-    Sculpture& hair = part.solid;
-    hair.add(ellipsoid(scalp.local(0.0F, 0.036F, -0.014F),
-                       scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), at.axes),
-             {0.0F, colour, true});
-    // Forehead and temples stay free; behind the ears it ends at the nape.
-    hair.carve(ellipsoid(scalp.local(0.0F, -0.012F, 0.090F),
-                         scale * glm::vec3(0.066F, 0.084F, 0.070F), at.axes),
-               {scale * 0.004F, colour, false});
-    for (const float x : {-1.0F, 1.0F}) {
-        hair.carve(ellipsoid(scalp.local(x * 0.075F, -0.030F, 0.030F),
-                             scale * glm::vec3(0.030F, 0.042F, 0.044F), at.axes),
-                   {scale * 0.004F, colour, false});
-        hair.carve(ellipsoid(scalp.local(x * 0.080F, -0.022F, -0.010F),
-                             scale * glm::vec3(0.018F, 0.034F, 0.022F), at.axes),
-                   {scale * 0.004F, colour, false});
-        hair.add(round_cone(scalp.local(x * 0.0720F, 0.018F, 0.014F), scale * 0.0060F,
-                            scalp.local(x * 0.0705F, -0.010F, 0.012F), scale * 0.0028F),
-                 {scale * 0.006F, colour, true});
-    }
-    hair.carve(half_space(scalp.local(0.0F, -0.062F, -0.06F),
-                          at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, -0.25F))),
-               {scale * 0.006F, colour, false});
     base::Random random(11);
-    const auto jitter = [&](float size) { return static_cast<float>(random.uniform(-size, size)); };
-    // Top: brushed from the crown forwards and up, a little to the left.
-    for (int row = 0; row < 5; ++row) {
-        for (int i = 0; i < 9; ++i) {
-            const float side = (static_cast<float>(i) - 4.0F) / 4.0F;
-            const float turn = side * (0.75F + 0.12F * static_cast<float>(row));
-            const float from = 1.35F - 0.16F * static_cast<float>(row) + jitter(0.05F);
-            // No lock hangs below the hairline: the edge is that of the cap, and the wisps'.
-            const float reach = std::min(0.42F + jitter(0.06F), from - 0.66F - jitter(0.03F));
-            const float lift = 0.014F - 0.0016F * static_cast<float>(row) + jitter(0.003F);
-            add_lock(hair, scalp,
-                     {{turn * 1.25F, from, 0.003F, 0.010F},
-                      {turn + 0.06F, from - 0.45F * reach, 0.008F + 0.3F * lift, 0.0120F},
-                      {turn + 0.14F + jitter(0.05F), from - reach, 0.004F + lift, 0.0028F}},
-                     0.60F, colour * (0.9F + jitter(0.12F)));
+    add_base(figure, scalp, short_hairline, 0.0035F, 0.06F, colour * 0.55F);
+    // Sides and back: short, down and backwards. From below upwards, each over the one before.
+    const auto tone = [&] { return colour * (0.95F + spread(random, 0.22F)); };
+    for (int ring = 0; ring < 11; ++ring) {
+        for (int i = 0; i < 58; ++i) {
+            const float turn = 2.0F * kTurnHalf *
+                                   (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) /
+                                   58.0F -
+                               kTurnHalf + spread(random, 0.05F);
+            const float low = short_hairline(std::abs(turn));
+            const float rise =
+                low + 0.03F + 0.125F * static_cast<float>(ring) + spread(random, 0.05F);
+            if (rise > 1.05F) continue;
+            // Only the back and the sides: the top is combed otherwise.
+            const float side = std::clamp((std::abs(turn) - 0.75F) / 0.30F, 0.0F, 1.0F);
+            if (side < 1.0F && rise > 0.55F * side + 0.15F) continue;
+            const float high = std::clamp((rise - low) / 1.2F, 0.0F, 1.0F);
+            Growth growth;
+            growth.long_m = 0.022F + 0.014F * high + spread(random, 0.004F);
+            growth.wide_m = 0.013F + spread(random, 0.002F);
+            growth.root_m = 0.0008F + 0.0025F * high;
+            growth.lift_m = 0.0016F + 0.0032F * high + spread(random, 0.0006F);
+            growth.end_m = 0.0012F + 0.0045F * high;
+            growth.root_shade = 0.75F;
+            const float stray = spread(random, 0.25F);
+            growth.comb = [stray](const glm::vec3& q) {
+                return glm::vec3(stray, -0.9F, q.z > -0.04F ? -0.8F : -0.1F);
+            };
+            grow(figure, scalp, turn, rise, growth, tone(), random);
         }
     }
-    // Sides and back: combed down and backwards.
-    for (int ring = 0; ring < 4; ++ring) {
-        for (int i = 0; i < 22; ++i) {
-            const float turn =
-                0.95F + (2.0F * kTurnHalf - 1.9F) *
-                            (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / 21.5F;
-            const float back = turn < kTurnHalf ? 1.0F : -1.0F;
-            const float from = 1.05F - 0.34F * static_cast<float>(ring) + jitter(0.05F);
-            const float near_ear =
-                std::abs(std::abs(turn - kTurnHalf) - 0.5F * kTurnHalf) < 0.38F ? 1.0F : 0.0F;
-            if (near_ear > 0.0F && ring == 3) continue;
-            add_lock(hair, scalp,
-                     {{turn - 0.10F * back, from, 0.0025F, 0.0085F},
-                      {turn + 0.05F * back, from - 0.20F, 0.0055F, 0.0100F},
-                      {turn + 0.16F * back + jitter(0.04F), from - 0.40F, 0.0040F, 0.0022F}},
-                     0.50F, colour * (0.88F + jitter(0.12F)));
+    // The top: from the forehead back and to his left, standing up over the brow.
+    for (int row = 0; row < 9; ++row) {
+        for (int i = 0; i < 30; ++i) {
+            const float side =
+                (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) / 14.5F - 1.0F;
+            const float turn_front = side * 1.15F + spread(random, 0.04F);
+            const float low = short_hairline(std::abs(turn_front));
+            const float t = static_cast<float>(row) / 8.0F;
+            const float rise =
+                glm::mix(std::max(low, 0.30F) + 0.01F, 1.42F, t) + spread(random, 0.03F);
+            const float front = (1.0F - t) * std::exp(-1.4F * side * side);
+            Growth growth;
+            growth.long_m = 0.046F - 0.012F * t + spread(random, 0.007F);
+            growth.wide_m = 0.015F + spread(random, 0.003F);
+            growth.root_m = 0.0005F + 0.004F * t;
+            growth.lift_m = 0.0045F + 0.0065F * front + spread(random, 0.0022F);
+            growth.end_m = 0.0055F + 0.0075F * front + spread(random, 0.002F);
+            growth.root_shade = 0.62F;
+            const float stray = spread(random, 0.35F);
+            growth.comb = [stray](const glm::vec3& q) {
+                const float behind = std::clamp((-q.z - 0.03F) / 0.05F, 0.0F, 1.0F);
+                return glm::vec3(0.55F + stray, 0.35F - 1.2F * behind, -0.75F);
+            };
+            grow(figure, scalp, turn_front, rise, growth, tone(), random);
         }
     }
-    add_wisps(figure, hair, scalp, 0.10F, colour);
 }
 
 namespace {
 
-float jitter(base::Random& random, float size) {
-    return static_cast<float>(random.uniform(-size, size));
+void add_tail(Figure& figure, const Scalp& scalp, const glm::vec3& colour, base::Random& random) {
+    Sculpture& hair = figure.part("hair", Cloth::kHair, 0.0040F, 0.05F).solid;
+    hair.add(ellipsoid(scalp.local(0.0F, 0.060F, -0.110F),
+                       scalp.scale * glm::vec3(0.017F, 0.017F, 0.014F), scalp.at.axes),
+             {0.0F, colour * 0.35F, true});
+    const auto strand = [&](float dx, float dz, const glm::vec3& p, float out_m, float w) {
+        return Knot{scalp.local(p.x + out_m * dx, p.y, p.z + out_m * dz), scalp.scale * w, 0.0F};
+    };
+    const std::array<glm::vec3, 8> kPath{{{0.0F, 0.062F, -0.110F},
+                                          {0.006F, 0.064F, -0.142F},
+                                          {0.020F, 0.020F, -0.168F},
+                                          {0.044F, -0.060F, -0.155F},
+                                          {0.072F, -0.140F, -0.112F},
+                                          {0.090F, -0.215F, -0.052F},
+                                          {0.097F, -0.285F, 0.006F},
+                                          {0.094F, -0.345F, 0.040F}}};
+    const std::array<float, 8> kOut{0.003F, 0.009F, 0.014F, 0.017F, 0.016F, 0.013F, 0.010F, 0.004F};
+    const std::array<float, 8> kThick{0.008F,  0.010F, 0.012F, 0.012F,
+                                      0.0105F, 0.009F, 0.006F, 0.0012F};
+    for (int i = 0; i < 8; ++i) {
+        const float angle = 2.0F * kTurnHalf * static_cast<float>(i) / 7.0F;
+        const float r = i == 7 ? 0.0F : 1.0F;
+        std::vector<Knot> knots;
+        for (std::size_t k = 0; k < kPath.size(); ++k) {
+            knots.push_back(
+                strand(r * std::cos(angle), r * std::sin(angle),
+                       kPath[k] + glm::vec3(spread(random, 0.002F), 0.0F, spread(random, 0.002F)),
+                       kOut[k], kThick[k]));
+        }
+        hair.add(tube(make_curve(knots, 6, scalp.at.axes[0])),
+                 {scalp.scale * 0.003F, colour * (0.80F + spread(random, 0.08F)), true});
+    }
+    // Locks over it, of several lengths.
+    for (int i = 0; i < 60; ++i) {
+        const float angle = 2.0F * kTurnHalf * (static_cast<float>(i) + 0.5F) / 60.0F * 7.0F;
+        const auto first = static_cast<std::size_t>(random.uniform(1.0, 4.0));
+        Wisp lock;
+        lock.strip = static_cast<int>(random.uniform(0.0, 3.0));
+        lock.width_m = scalp.scale * static_cast<float>(random.uniform(0.010, 0.018));
+        lock.colour = colour * (0.98F + spread(random, 0.25F));
+        lock.root_shade = 0.9F;
+        const float wider = 1.0F + spread(random, 0.15F);
+        for (std::size_t k = first; k < kPath.size(); ++k) {
+            const float out_m = (kOut[k] + kThick[k]) * wider + 0.0010F;
+            const glm::vec3 low(
+                0.0F, k + 1 == kPath.size() ? -0.035F + spread(random, 0.03F) : 0.0F, 0.0F);
+            const auto at = [&](float share) {
+                const glm::vec3 p =
+                    share == 0.0F ? kPath[k] + low : glm::mix(kPath[k - 1], kPath[k] + low, share);
+                return scalp.out(p + out_m * glm::vec3(std::cos(angle), 0.0F, std::sin(angle)));
+            };
+            if (k > first) lock.path_m.push_back(at(0.5F));
+            lock.path_m.push_back(at(0.0F));
+        }
+        lock.inside_m = scalp.out(kPath[4]);
+        figure.wisps.push_back(std::move(lock));
+    }
 }
 
-/// Close to the skull, the face and the neck left free.
-void add_cap(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour) {
-    hair.add(ellipsoid(scalp.local(0.0F, 0.037F, -0.013F),
-                       scalp.scale * glm::vec3(0.0785F, 0.0855F, 0.0985F), scalp.at.axes),
-             {0.0F, colour, true});
-    hair.add(ellipsoid(scalp.local(0.0F, 0.054F, 0.034F),
-                       scalp.scale * glm::vec3(0.068F, 0.050F, 0.058F), scalp.at.axes),
-             {scalp.scale * 0.012F, colour, true});
-    hair.carve(ellipsoid(scalp.local(0.0F, -0.030F, 0.090F),
-                         scalp.scale * glm::vec3(0.0665F, 0.094F, 0.064F), scalp.at.axes),
-               {scalp.scale * 0.005F, colour, false});
-    for (const float x : {-1.0F, 1.0F}) {
-        hair.carve(ellipsoid(scalp.local(x * 0.078F, -0.036F, 0.022F),
-                             scalp.scale * glm::vec3(0.026F, 0.044F, 0.046F), scalp.at.axes),
-                   {scalp.scale * 0.005F, colour, false});
+/// A lock that has come loose at the temple and hangs beside the cheek.
+void hang_lock(Figure& figure, const Scalp& scalp, float side, float turn, float rise, float long_m,
+               const glm::vec3& colour, base::Random& random) {
+    Wisp lock;
+    lock.strip = static_cast<int>(random.uniform(0.0, 3.0));
+    lock.width_m = scalp.scale * static_cast<float>(random.uniform(0.006, 0.010));
+    lock.colour = colour;
+    lock.root_shade = 0.8F;
+    lock.inside_m = scalp.local(0.0F, -0.03F, 0.0F);
+    const glm::vec3 root = scalp.own_place(side * turn, rise, 0.004F);
+    const float bow = static_cast<float>(random.uniform(0.008, 0.015));
+    const float wave = spread(random, 0.004F);
+    for (int k = 0; k <= 8; ++k) {
+        const float t = static_cast<float>(k) / 8.0F;
+        lock.path_m.push_back(scalp.out(
+            root + glm::vec3(side * (bow * std::sin(2.2F * t) + wave * std::sin(5.0F * t)),
+                             -long_m * t, 0.012F * std::sin(2.4F * t) - 0.016F * t * t)));
     }
-    hair.carve(half_space(scalp.local(0.0F, -0.052F, -0.06F),
-                          scalp.at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, -0.55F))),
-               {scalp.scale * 0.006F, colour, false});
-}
-
-/// Drawn back from the whole hairline to the knot.
-void add_drawn_back(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour,
-                    base::Random& random) {
-    constexpr int kLocks = 46;
-    for (int i = 0; i < kLocks; ++i) {
-        const float part_of = (static_cast<float>(i) + 0.5F) / kLocks;
-        const float turn = (part_of - 0.5F) * 2.0F * 2.5F;
-        const float rise = 0.62F * std::cos(std::min(std::abs(turn) * 0.85F, kTurnHalf)) + 0.02F;
-        const float end_turn = turn < 0.0F ? -kTurnHalf + 0.10F : kTurnHalf - 0.10F;
-        const float end_rise = 0.32F + 0.10F * std::cos(turn);
-        add_lock(hair, scalp,
-                 {{turn, rise, 0.0015F, 0.0065F},
-                  {turn + 0.33F * (end_turn - turn),
-                   rise + 0.45F * (1.25F - rise) * std::exp(-0.6F * turn * turn),
-                   0.0045F + jitter(random, 0.0012F), 0.0085F},
-                  {turn + 0.70F * (end_turn - turn),
-                   end_rise + 0.40F * std::exp(-0.6F * turn * turn), 0.0045F, 0.0075F},
-                  {end_turn, end_rise, 0.003F, 0.006F}},
-                 0.50F, colour * (0.9F + jitter(random, 0.14F)));
-    }
-}
-
-void add_tail(Sculpture& hair, const Scalp& scalp, const glm::vec3& colour, base::Random& random) {
-    const glm::vec3 knot = scalp.local(0.0F, 0.062F, -0.112F);
-    hair.add(ellipsoid(knot, scalp.scale * glm::vec3(0.021F, 0.021F, 0.017F), scalp.at.axes),
-             {scalp.scale * 0.006F, colour * 0.35F, true});
-    for (int i = 0; i < 9; ++i) {
-        const float angle = 2.0F * kTurnHalf * static_cast<float>(i) / 8.0F;
-        const float r = i == 8 ? 0.0F : 1.0F;
-        const float dx = r * std::cos(angle);
-        const float dz = r * std::sin(angle);
-        const auto strand = [&](float x, float y, float z, float spread, float w) {
-            const float to_side = jitter(random, 0.002F);
-            const float to_front = jitter(random, 0.002F);
-            return Knot{scalp.local(x + spread * dx + to_side, y, z + spread * dz + to_front),
-                        scalp.scale * w, 0.0F};
-        };
-        hair.add(tube(make_curve({strand(0.0F, 0.064F, -0.112F, 0.006F, 0.010F),
-                                  strand(0.006F, 0.068F, -0.150F, 0.012F, 0.012F),
-                                  strand(0.020F, 0.020F, -0.180F, 0.019F, 0.014F),
-                                  strand(0.046F, -0.060F, -0.165F, 0.022F, 0.014F),
-                                  strand(0.078F, -0.140F, -0.120F, 0.020F, 0.013F),
-                                  strand(0.098F, -0.215F, -0.055F, 0.016F, 0.011F),
-                                  strand(0.104F, -0.285F, 0.010F, 0.012F, 0.008F),
-                                  strand(0.098F, -0.345F + 0.03F * dx, 0.050F, 0.006F, 0.0015F)},
-                                 6, scalp.at.axes[0])),
-                 {scalp.scale * 0.003F, colour * (0.92F + jitter(random, 0.10F)), true});
-    }
+    figure.wisps.push_back(std::move(lock));
 }
 
 }  // namespace
 
 void add_ponytail(Figure& figure, const Placed& at, float scale, const glm::vec3& colour) {
-    FigurePart& part = figure.part("hair", Cloth::kHair, 0.0046F, 0.05F);
     const Scalp scalp{at, scale};
-    Sculpture& hair = part.solid;
     base::Random random(23);
-    add_cap(hair, scalp, colour);
-    add_drawn_back(hair, scalp, colour, random);
-    add_tail(hair, scalp, colour, random);
-    hair.displace(strands(scale * 0.0006F, [at, scale](const glm::vec3& p) {
-        const glm::vec3 q = ((p - at.origin_m) * at.axes) / scale;
-        return 900.0F * q.x + 260.0F * q.y;
-    }));
+    const auto tone = [&] { return colour * (0.98F + spread(random, 0.22F)); };
+    add_base(figure, scalp, long_hairline, 0.0045F, 0.05F, colour * 0.6F);
+    const glm::vec3 knot(0.0F, 0.062F, -0.108F);
+    for (int row = 0; row < 10; ++row) {
+        for (int i = 0; i < 46; ++i) {
+            const float turn = 2.0F * kTurnHalf *
+                                   (static_cast<float>(i) + 0.5F * static_cast<float>(row % 2)) /
+                                   46.0F -
+                               kTurnHalf + spread(random, 0.05F);
+            const float low = long_hairline(std::abs(turn));
+            const float rise =
+                low + 0.005F + 0.11F * static_cast<float>(row) + spread(random, 0.03F);
+            if (rise > 1.45F) continue;
+            const glm::vec3 root = scalp.own_place(turn, rise, 0.0F);
+            const float away = glm::distance(root, knot);
+            if (away < 0.03F) continue;
+            const float top = std::clamp((root.y - 0.05F) / 0.05F, 0.0F, 1.0F);
+            const float t = std::min(1.0F, static_cast<float>(row) / 5.0F);
+            Growth growth;
+            growth.long_m = std::min(0.95F * away, 0.085F) * (1.0F + spread(random, 0.12F));
+            growth.wide_m = 0.016F + spread(random, 0.003F);
+            growth.root_m = 0.0006F + 0.004F * t + 0.003F * top * t;
+            growth.lift_m = 0.0030F + 0.0035F * top + spread(random, 0.0012F);
+            growth.end_m = 0.0040F + 0.003F * top + spread(random, 0.001F);
+            growth.root_shade = row < 2 ? 0.85F : 0.95F;
+            const float stray = spread(random, 0.012F);
+            growth.comb = [knot, stray](const glm::vec3& q) {
+                // Over the crown first, then down to the knot.
+                return knot + glm::vec3(stray, 0.022F, 0.0F) - q;
+            };
+            grow(figure, scalp, turn, rise, growth, tone(), random);
+        }
+    }
+    for (const float side : {-1.0F, 1.0F}) {
+        for (int i = 0; i < 7; ++i) {
+            hang_lock(figure, scalp, side,
+                      0.92F + 0.045F * static_cast<float>(i) + spread(random, 0.03F),
+                      0.34F - 0.06F * static_cast<float>(i), 0.070F + spread(random, 0.022F),
+                      tone(), random);
+        }
+    }
+    add_tail(figure, scalp, colour, random);
 }
 
 }  // namespace obscura::stimuli::figures

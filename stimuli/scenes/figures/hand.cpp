@@ -7,11 +7,14 @@
 namespace obscura::stimuli::figures {
 namespace {
 
-/// A digit: three bones, each bent further towards the palm.
+/// A digit: three bones, each bent further towards the palm, knuckles between them.
 void add_digit(Sculpture& skin, glm::vec3 joint, glm::vec3 along, const glm::vec3& back,
                const std::array<float, 3>& curl_rad, float long_m, float thick_m,
                const glm::vec3& colour) {
     constexpr std::array kShares{0.46F, 0.30F, 0.24F};
+    constexpr std::array kThinner{0.88F, 0.90F, 0.86F};
+    // Blood shows through at the joints and the tips.
+    const glm::vec3 red = colour * glm::vec3(1.0F, 0.86F, 0.83F);
     glm::vec3 up = back;
     float thick = thick_m;
     for (std::size_t bone = 0; bone < 3; ++bone) {
@@ -21,15 +24,21 @@ void add_digit(Sculpture& skin, glm::vec3 joint, glm::vec3 along, const glm::vec
         up = up * c + along * s;
         along = bent;
         const glm::vec3 next = joint + along * (kShares[bone] * long_m);
-        skin.add(round_cone(joint, thick, next, 0.90F * thick), {0.0022F, colour, true});
-        if (bone == 2) {
-            // The nail, a little paler and set off by an edge.
-            skin.add(ellipsoid(next + up * (0.55F * thick) + along * (0.05F * thick),
-                               {0.55F * thick, 0.30F * thick, 0.85F * thick}, axes_from(along, up)),
-                     {0.0006F, glm::min(colour * 1.25F, glm::vec3(1.0F)), true});
+        const float thin = kThinner[bone] * thick;
+        skin.add(round_cone(joint, thick, next, thin), {0.0014F, bone == 2 ? red : colour, true});
+        if (bone < 2) {
+            skin.add(ellipsoid(next + up * (0.22F * thin),
+                               {0.98F * thin, 0.86F * thin, 1.05F * thin}, axes_from(along, up)),
+                     {0.0016F, red, true});
+        } else {
+            // The nail, paler, set off by an edge.
+            skin.add(ellipsoid(next + up * (0.66F * thin) - along * (0.10F * thin),
+                               {0.66F * thin, 0.34F * thin, 1.02F * thin}, axes_from(along, up)),
+                     {0.0004F, glm::min(colour * glm::vec3(1.22F, 1.16F, 1.14F), glm::vec3(1.0F)),
+                      true});
         }
         joint = next;
-        thick *= 0.90F;
+        thick = thin;
     }
 }
 
@@ -56,7 +65,7 @@ void add_hand(Sculpture& skin, const Placed& at, float scale, float thumb_side,
              flesh);
     constexpr std::array kRoots{-0.031F, -0.011F, 0.010F, 0.030F};
     constexpr std::array kLengths{0.063F, 0.081F, 0.088F, 0.079F};
-    constexpr std::array kThick{0.0080F, 0.0089F, 0.0092F, 0.0090F};
+    constexpr std::array kThick{0.0074F, 0.0084F, 0.0088F, 0.0085F};
     for (std::size_t i = 0; i < 4; ++i) {
         const float t = static_cast<float>(i) - 1.5F;
         const float fan = t * pose.spread_rad;
@@ -65,8 +74,12 @@ void add_hand(Sculpture& skin, const Placed& at, float scale, float thumb_side,
         const float last = 0.096F - 0.0035F * t * t;
         std::array<float, 3> curl = pose.curl_rad;
         for (float& joint : curl) joint *= 1.0F - 0.10F * t;
-        skin.add(ball(place(kRoots[i], 0.003F, last), scale * kThick[i] * 1.12F),
-                 {scale * 0.007F, colour, true});
+        // The knuckle, and the sinew that runs to it from the wrist.
+        skin.add(ball(place(kRoots[i], 0.0035F, last), scale * kThick[i] * 1.10F),
+                 {scale * 0.005F, colour * glm::vec3(1.0F, 0.88F, 0.85F), true});
+        skin.add(round_cone(place(0.35F * kRoots[i], 0.0090F, 0.030F), scale * 0.0020F,
+                            place(kRoots[i], 0.0085F, last - 0.008F), scale * 0.0024F),
+                 {scale * 0.008F, colour, true});
         add_digit(skin, place(kRoots[i], 0.001F, last), along, at.axes[1], curl,
                   scale * kLengths[i], scale * kThick[i], colour);
     }

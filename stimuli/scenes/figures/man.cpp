@@ -66,10 +66,10 @@ void add_sleeve(Sculpture& jacket, Sculpture& cuffs, const Placed& at, const glm
                                   {p(cuff), 0.044F, 0.0F}},
                                  7, at.axes[2]);
     jacket.add(
-        tube(arm, folded({{1.12F * upper, 0.10F, inner_rad, 0.0064F, 0.042F, 0.30F},
-                          {0.10F * upper, 0.09F, 2.4F, 0.0042F, 0.048F, 0.25F},
-                          {0.55F * upper, 0.10F, inner_rad + 1.5F, 0.0040F, 0.055F, 0.40F},
-                          {1.12F * upper + 0.72F * lower, 0.06F, 0.5F, 0.0042F, 0.028F, 0.70F}},
+        tube(arm, folded({{1.12F * upper, 0.11F, inner_rad, 0.0070F, 0.062F, 0.30F},
+                          {0.12F * upper, 0.10F, 2.4F, 0.0050F, 0.075F, 0.25F},
+                          {0.60F * upper, 0.12F, inner_rad + 1.5F, 0.0036F, 0.090F, 0.40F},
+                          {1.12F * upper + 0.70F * lower, 0.07F, 0.5F, 0.0042F, 0.040F, 0.60F}},
                          seed)),
         {0.022F, kJacketColour, true});
     // The cuff is finer than the jacket's cells: a mesh of its own.
@@ -79,7 +79,35 @@ void add_sleeve(Sculpture& jacket, Sculpture& cuffs, const Placed& at, const glm
     cuffs.add(tube(band), {0.0F, kJacketColour * 0.7F, true});
 }
 
-void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
+void add_placket_and_pockets(Figure& man, const Placed& at, const Sculpture& jacket) {
+    const glm::vec3 back = at.axes * glm::vec3(0.0F, 0.0F, -1.0F);
+    const auto put = [&](const char* name, const OverlayStyle& style,
+                         const std::function<Beam(float, float)>& beam) {
+        man.overlaid.push_back({name, Cloth::kJacket, 0.10F, overlay(jacket, style, beam)});
+    };
+    put("placket", {.columns = 6, .rows = 60, .thick_m = 0.0030F, .colour = kJacketColour * 0.92F},
+        along_path({at(0.004F, 1.478F, 0.20F), at(0.004F, 1.25F, 0.22F), at(0.003F, 0.968F, 0.20F)},
+                   back, 0.042F));
+    for (const float x : kSides) {
+        const auto patch_of = [&](float wide, float high, float y, float x_in) {
+            return [=](float u, float v) {
+                // The lower corners are rounded.
+                const float cut = v > 0.85F ? 0.10F * (v - 0.85F) / 0.15F : 0.0F;
+                const float side = (u - 0.5F) * (1.0F - cut) * wide;
+                return Beam{
+                    at(x * (x_in + 0.06F * (y - v * high - 1.33F)) + side, y - v * high, 0.22F),
+                    back};
+            };
+        };
+        put("pocket", {.columns = 10, .rows = 10, .thick_m = 0.0042F, .colour = kJacketColour},
+            patch_of(0.092F, 0.112F, 1.385F, 0.0640F));
+        put("pocket flap",
+            {.columns = 10, .rows = 5, .thick_m = 0.0082F, .colour = kJacketColour * 0.90F},
+            patch_of(0.098F, 0.040F, 1.393F, 0.0640F));
+    }
+}
+
+Sculpture add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     Sculpture jacket = core;
     jacket.keep(half_space(at(0.0F, 0.985F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                 {0.012F, kJacketColour, false});
@@ -92,40 +120,8 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
     add_sleeve(jacket, cuffs, at, kShoulderRight, kElbowRight, kWristRight, 0.3F, 101);
     add_sleeve(jacket, cuffs, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.9F, 202);
     man.part("cuffs", Cloth::kJacket, 0.0052F, 0.10F).solid = std::move(cuffs);
-    // Collar: stands at the neck and falls open in front.
-    const Curve collar = make_curve({{at(0.030F, 1.475F, 0.078F), 0.008F, 0.022F},
-                                     {at(0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
-                                     {at(0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
-                                     {at(0.0F, 1.560F, -0.088F), 0.009F, 0.028F},
-                                     {at(-0.080F, 1.545F, -0.030F), 0.009F, 0.028F},
-                                     {at(-0.072F, 1.520F, 0.040F), 0.009F, 0.028F},
-                                     {at(-0.030F, 1.475F, 0.078F), 0.008F, 0.022F}},
-                                    7, at.axes[1]);
-    Curve standing = collar;
-    for (CurvePoint& point : standing) {
-        const glm::vec3 out = point.position_m - at(0.0F, 1.44F, -0.02F);
-        point.normal = glm::normalize(out - at.axes[1] * (0.55F * glm::dot(out, at.axes[1])));
-    }
-    rebuild_frames(standing);
     jacket.carve(round_cone(at(0.0F, 1.50F, -0.02F), 0.062F, at(0.0F, 1.62F, 0.01F), 0.075F),
                  {0.006F, kJacketColour, false});
-    // Thinner than the jacket's cells: a mesh of its own.
-    man.part("collar", Cloth::kJacket, 0.0042F, 0.10F)
-        .solid.add(tube(standing), {0.0F, kJacketColour * 0.85F, true});
-    // Zip and placket, yoke seams and two flapped pockets.
-    jacket.add(layer(core, 0.0065F,
-                     rounded_box(at(0.0F, 1.22F, 0.12F), {0.017F, 0.26F, 0.12F}, 0.004F, at.axes)),
-               {0.002F, kJacketColour * 0.9F, true});
-    for (const float x : kSides) {
-        jacket.add(layer(core, 0.0075F,
-                         rounded_box(at(x * 0.095F, 1.335F, 0.14F), {0.048F, 0.055F, 0.10F}, 0.014F,
-                                     at.axes)),
-                   {0.007F, kJacketColour, true});
-        jacket.add(layer(core, 0.0110F,
-                         rounded_box(at(x * 0.095F, 1.378F, 0.14F), {0.051F, 0.018F, 0.10F}, 0.010F,
-                                     at.axes)),
-                   {0.006F, kJacketColour * 0.85F, true});
-    }
     jacket.displace(
         {[at](const glm::vec3& world) {
              const glm::vec3 p = (world - at.origin_m) * at.axes;
@@ -140,16 +136,26 @@ void add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
          0.010F});
-    man.part("jacket", Cloth::kJacket, 0.0090F, 0.10F).solid = std::move(jacket);
+    man.part("jacket", Cloth::kJacket, 0.0070F, 0.10F).solid = jacket;
+    add_placket_and_pockets(man, at, jacket);
+    add_collar(man, at, jacket,
+               {.neck_m = {0.0F, 1.562F, -0.014F},
+                .radius_m = 0.066F,
+                .open_rad = 0.42F,
+                .drop_m = 0.072F,
+                .wide_m = 0.038F,
+                .point_m = 0.066F},
+               Cloth::kJacket, 0.10F, kJacketColour * 0.88F);
+    return jacket;
 }
 
 void add_undershirt(Figure& man, const Placed& at) {
     Sculpture& s = man.part("undershirt", Cloth::kShirt, 0.0100F, 0.08F).solid;
     const glm::vec3 colour(0.10F, 0.10F, 0.105F);
-    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.078F, 0.078F}, at.axes),
+    s.add(ellipsoid(at(0.0F, 1.452F, -0.006F), {0.100F, 0.090F, 0.088F}, at.axes),
           {0.0F, colour, true});
     s.keep(
-        half_space(at(0.0F, 1.502F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))),
+        half_space(at(0.0F, 1.512F, 0.04F), at.axes * glm::normalize(glm::vec3(0.0F, 1.0F, 0.55F))),
         {0.008F, colour, false});
 }
 
@@ -159,25 +165,26 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
     const float upper = glm::length(knee - hip);
     const float lower = glm::length(ankle - knee);
     const glm::vec3 calf(0.0F, 0.0F, -0.012F);
-    const Curve leg = make_curve({{p(along(hip, knee, -0.06F)), 0.098F, 0.0F},
-                                  {p(along(hip, knee, 0.15F)), 0.101F, 0.0F},
+    const Curve leg = make_curve({{p(along(hip, knee, -0.06F)), 0.074F, 0.0F},
+                                  {p(along(hip, knee, 0.06F)), 0.092F, 0.0F},
+                                  {p(along(hip, knee, 0.18F)), 0.100F, 0.0F},
                                   {p(along(hip, knee, 0.55F)), 0.090F, 0.0F},
                                   {p(knee), 0.074F, 0.0F},
                                   {p(along(knee, ankle, 0.28F) + calf), 0.074F, 0.0F},
                                   {p(along(knee, ankle, 0.58F) + calf), 0.072F, 0.0F},
                                   {p(along(knee, ankle, 0.74F)), 0.070F, 0.0F}},
                                  7, at.axes[2]);
-    s.add(tube(leg, folded({{0.02F, 0.09F, 0.0F, 0.0070F, 0.045F, 0.35F},
-                            {1.02F * upper, 0.085F, 3.1F, 0.0075F, 0.040F, 0.35F},
-                            {0.90F * upper, 0.05F, 0.0F, 0.0045F, 0.032F, 0.20F},
-                            {0.50F * upper, 0.12F, 1.8F, 0.0040F, 0.070F, 0.40F},
-                            {upper + 0.64F * lower, 0.085F, 0.6F, 0.0095F, 0.042F, 0.70F}},
+    s.add(tube(leg, folded({{0.06F, 0.08F, 0.0F, 0.0050F, 0.060F, 0.30F},
+                            {1.04F * upper, 0.090F, 3.1F, 0.0070F, 0.058F, 0.30F},
+                            {0.86F * upper, 0.07F, 0.3F, 0.0045F, 0.060F, 0.20F},
+                            {0.48F * upper, 0.14F, 1.8F, 0.0050F, 0.110F, 0.40F},
+                            {upper + 0.68F * lower, 0.075F, 0.6F, 0.0080F, 0.046F, 0.55F}},
                            seed)),
           {0.02F, kTrouserColour, true});
 }
 
-void add_trousers(Figure& man, const Placed& at) {
-    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0105F, 0.08F);
+Sculpture add_trousers(Figure& man, const Placed& at) {
+    FigurePart& part = man.part("trousers", Cloth::kTrousers, 0.0080F, 0.08F);
     Sculpture& s = part.solid;
     s.add(ellipsoid(at(0.0F, 0.955F, -0.004F), {0.164F, 0.115F, 0.120F}, at.axes),
           {0.0F, kTrouserColour, true});
@@ -218,49 +225,64 @@ void add_trousers(Figure& man, const Placed& at) {
                     const float rays =
                         std::sin(26.0F * std::atan2(p.y - 0.83F, std::abs(p.x) + 0.05F) +
                                  2.0F * gradient_noise(p * 9.0F, 51));
-                    return 0.0045F * seat * rays;
+                    return 0.0034F * seat * rays;
                 },
                 0.006F});
+    return s;
 }
 
-void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
-    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0078F, 0.12F);
+void add_straps(Figure& man, const Placed& at, const Sculpture& clothes) {
+    const glm::vec3 back = at.axes * glm::vec3(0.0F, 0.0F, -1.0F);
+    const auto put = [&](const char* name, const OverlayStyle& style,
+                         const std::function<Beam(float, float)>& beam) {
+        man.overlaid.push_back({name, Cloth::kLeather, 0.12F, overlay(clothes, style, beam)});
+    };
+    const OverlayStyle strap{
+        .columns = 4, .rows = 44, .thick_m = 0.0042F, .colour = kLeatherColour};
+    for (const float x : kSides) {
+        // Over the shoulder, down the chest to the belt, and as far on the back.
+        put("strap", strap,
+            along_path({at(x * 0.128F, 1.520F, 0.12F), at(x * 0.126F, 1.40F, 0.20F),
+                        at(x * 0.120F, 1.25F, 0.20F), at(x * 0.104F, 1.10F, 0.20F),
+                        at(x * 0.096F, 0.950F, 0.20F)},
+                       back, 0.036F));
+        put("back strap", {.columns = 4, .rows = 24, .thick_m = 0.0042F, .colour = kLeatherColour},
+            along_path({at(x * 0.128F, 1.520F, -0.16F), at(x * 0.110F, 1.25F, -0.22F),
+                        at(x * 0.080F, 0.955F, -0.22F)},
+                       -back, 0.036F));
+        put("shoulder strap",
+            {.columns = 4, .rows = 10, .thick_m = 0.0042F, .colour = kLeatherColour},
+            along_path({at(x * 0.128F, 1.62F, 0.075F), at(x * 0.128F, 1.62F, -0.115F)},
+                       at.axes * glm::vec3(0.0F, -1.0F, 0.0F), 0.036F));
+    }
+    put("chest strap",
+        {.columns = 4, .rows = 30, .thick_m = 0.0070F, .colour = kLeatherColour, .stiff = 2},
+        along_path({at(-0.122F, 1.262F, 0.22F), at(0.0F, 1.256F, 0.22F), at(0.122F, 1.262F, 0.22F)},
+                   back, 0.030F));
+    put("belt",
+        {.columns = 4,
+         .rows = 72,
+         .thick_m = 0.0060F,
+         .colour = kLeatherColour,
+         .stiff = 3,
+         .ring = true,
+         .sunk_m = 0.012F},
+        around_body(at, {0.0F, 0.958F, -0.004F}, {0.212F, 0.190F}, 0.046F, 0.0F));
+}
+
+void add_harness(Figure& man, const Placed& at) {
+    FigurePart& part = man.part("harness", Cloth::kLeather, 0.0056F, 0.12F);
     Sculpture& s = part.solid;
     const StrokeStyle leather{0.001F, kLeatherColour, true};
-    for (const float x : kSides) {
-        const glm::mat3 slant =
-            at.axes * axes_from(glm::vec3(0.0F, 0.0F, 1.0F),
-                                glm::normalize(glm::vec3(x * 0.10F, 1.0F, 0.0F)));
-        s.add(
-            layer(core, 0.0165F,
-                  rounded_box(at(x * 0.122F, 1.29F, 0.0F), {0.021F, 0.30F, 0.30F}, 0.004F, slant)),
-            leather);
-    }
-    s.add(layer(core, 0.0145F,
-                rounded_box(at(0.0F, 1.245F, 0.0F), {0.30F, 0.017F, 0.30F}, 0.004F, at.axes)),
-          leather);
-    // Belt, pouches and buckles.
-    s.add(tube(make_curve({{at(0.0F, 0.962F, 0.124F), 0.006F, 0.023F},
-                           {at(0.122F, 0.960F, 0.086F), 0.006F, 0.023F},
-                           {at(0.174F, 0.958F, -0.010F), 0.006F, 0.023F},
-                           {at(0.110F, 0.960F, -0.105F), 0.006F, 0.023F},
-                           {at(0.0F, 0.962F, -0.132F), 0.006F, 0.023F},
-                           {at(-0.110F, 0.960F, -0.105F), 0.006F, 0.023F},
-                           {at(-0.174F, 0.958F, -0.010F), 0.006F, 0.023F},
-                           {at(-0.122F, 0.960F, 0.086F), 0.006F, 0.023F},
-                           {at(0.0F, 0.962F, 0.124F), 0.006F, 0.023F}},
-                          8, at.axes[2]),
-               {true, nullptr, 0.0F}),
-          leather);
     struct Pouch {
         glm::vec3 middle;
         float turn;
         glm::vec3 half;
     };
     for (const Pouch& pouch :
-         {Pouch{{0.098F, 0.935F, 0.118F}, 0.55F, {0.036F, 0.047F, 0.024F}},
-          Pouch{{0.165F, 0.930F, 0.058F}, 1.15F, {0.036F, 0.050F, 0.024F}},
-          Pouch{{-0.168F, 0.928F, 0.052F}, -1.15F, {0.042F, 0.055F, 0.026F}}}) {
+         {Pouch{{0.105F, 0.940F, 0.124F}, 0.50F, {0.034F, 0.045F, 0.026F}},
+          Pouch{{0.178F, 0.936F, 0.062F}, 1.15F, {0.034F, 0.047F, 0.026F}},
+          Pouch{{-0.172F, 0.934F, 0.066F}, -1.05F, {0.040F, 0.052F, 0.028F}}}) {
         const glm::vec3 out(std::sin(pouch.turn), 0.0F, std::cos(pouch.turn));
         const glm::mat3 axes = at.axes * axes_from(out, {0.0F, 1.0F, 0.0F});
         const glm::vec3 m = pouch.middle;
@@ -277,10 +299,10 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
     }
     const glm::vec3 brass(0.45F, 0.38F, 0.22F);
     Sculpture buckle;
-    buckle.add(rounded_box(at(0.0F, 0.962F, 0.130F), {0.030F, 0.025F, 0.006F}, 0.004F, at.axes));
-    buckle.carve(rounded_box(at(0.0F, 0.962F, 0.130F), {0.021F, 0.016F, 0.02F}, 0.003F, at.axes));
+    buckle.add(rounded_box(at(0.0F, 0.958F, 0.138F), {0.031F, 0.027F, 0.008F}, 0.004F, at.axes));
+    buckle.carve(rounded_box(at(0.0F, 0.958F, 0.138F), {0.021F, 0.017F, 0.02F}, 0.003F, at.axes));
     s.add(as_shape(buckle), {0.0F, brass, true});
-    s.add(round_cone(at(-0.020F, 0.962F, 0.135F), 0.0032F, at(0.028F, 0.962F, 0.135F), 0.0028F),
+    s.add(round_cone(at(-0.022F, 0.958F, 0.142F), 0.0032F, at(0.028F, 0.958F, 0.142F), 0.0028F),
           {0.0F, brass, true});
     // Holster strap round the right thigh.
     const glm::vec3 thigh = along(kHipRight, kKneeRight, 0.27F);
@@ -302,7 +324,7 @@ void add_harness(Figure& man, const Placed& at, const Sculpture& core) {
 }
 
 void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    Sculpture& skin = man.part("hands", Cloth::kSkin, 0.0026F, 0.06F).solid;
     for (const auto& [elbow, wrist] :
          {std::pair{kElbowRight, kWristRight}, std::pair{kElbowLeft, kWristLeft}}) {
         const glm::vec3 inside = along(elbow, wrist, 0.80F);
@@ -314,7 +336,7 @@ void add_hands(Figure& man, const Placed& at, const glm::vec3& colour) {
     add_hand(skin,
              {at(kWristRight.x, kWristRight.y, kWristRight.z),
               axes_from(down, at.axes * glm::vec3(-1.0F, 0.0F, 0.12F))},
-             1.0F, 1.0F, {{0.30F, 0.42F, 0.28F}, 0.05F, 0.45F}, colour);
+             1.0F, 1.0F, {{0.26F, 0.42F, 0.28F}, 0.08F, 0.40F}, colour);
     const glm::vec3 grip = at.axes * glm::normalize(glm::vec3(-0.66F, 0.60F, -0.10F));
     add_hand(skin,
              {at(kWristLeft.x, kWristLeft.y, kWristLeft.z),
@@ -328,28 +350,40 @@ Figure make_man(const Placed& at) {
     Figure man;
     man.name = "man";
     const Sculpture core = torso(at);
-    add_jacket(man, at, core);
+    Sculpture clothes;
+    clothes.add(as_shape(add_jacket(man, at, core)));
     add_undershirt(man, at);
-    add_trousers(man, at);
-    add_harness(man, at, core);
-    Sculpture& boots = man.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
+    clothes.add(as_shape(add_trousers(man, at)));
+    add_harness(man, at);
+    add_straps(man, at, clothes);
+    Sculpture boots;
     // So low and narrow that no fold of the trousers over it lets it through.
     constexpr Shaft kShaft{0.215F, 0.054F};
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
+    add_boot(man, boots, at, kAnkleRight, kKneeRight, {-0.30F, 1.0F}, 1.06F, kShaft,
              kLeatherColour * 0.9F);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft, kLeatherColour * 0.9F);
+    add_boot(man, boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft,
+             kLeatherColour * 0.9F);
+    FigurePart& worn = man.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    worn.solid = std::move(boots);
+    worn.painted_shade = 0.4F;
     add_hands(man, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(0.16F, -0.02F, 1.0F));
     const Placed head{at(0.0F, 1.680F, 0.030F),
                       axes_from(gaze, at.axes * glm::vec3(0.03F, 1.0F, 0.0F))};
     FaceTraits traits;
     traits.beard = 1.0F;
+    traits.lips = 0.84F;
+    traits.lip = {0.46F, 0.25F, 0.20F};
     traits.skin = kSkinColour;
     traits.brow = 1.3F;
     traits.jaw = 1.02F;
-    traits.neck = 1.08F;
+    traits.neck = 1.06F;
+    traits.nose_width = 0.92F;
+    traits.hair = {0.085F, 0.052F, 0.032F};
+    traits.cheeks = 0.25F;
+    traits.hairline = short_hairline;
     add_head(man, head, 1.0F, traits);
-    add_short_hair(man, head, 1.0F, {0.085F, 0.052F, 0.032F});
+    add_short_hair(man, head, 1.0F, traits.hair);
     return man;
 }
 

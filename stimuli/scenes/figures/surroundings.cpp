@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stimuli/scenes/figures/figure.h"
@@ -13,7 +15,7 @@ namespace {
 
 /// Plain weave: threads over and under, the relief of a cloth.
 TextureRecipe weave(const char* name, int threads, float size_m, float depth_m, float twill) {
-    return {name, 384, 384, glm::vec2(size_m), [=](glm::vec2 uv) {
+    return {name, 512, 512, glm::vec2(size_m), [=](glm::vec2 uv) {
                 const glm::vec2 q = uv * static_cast<float>(threads);
                 const float pi = 3.1415926F;
                 const float warp = std::abs(std::sin(pi * q.x));
@@ -76,24 +78,53 @@ TextureRecipe hair() {
             }};
 }
 
-/// Single hairs along v, each beginning and ending at its own place.
+/// Four strips of hairs along v, side by side along u, each beginning and ending at its own place;
+/// those of the last strip cover it whole but for its end.
 TextureRecipe wisps() {
-    return {"wisps", 128, 128, glm::vec2(0.02F), [](glm::vec2 uv) {
+    constexpr int kHairs = 20;
+    struct Hair {
+        float at, bend, begins, ends, tone;
+    };
+    std::array<std::array<Hair, kHairs>, 4> strips{};
+    for (int s = 0; s < 4; ++s) {
+        for (int i = 0; i < kHairs; ++i) {
+            const auto own = [&](int which) { return hash_unit(i, which, s, 47); };
+            Hair& hair = strips[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+            hair.at = (static_cast<float>(i) + 0.2F + 0.6F * own(0)) / kHairs;
+            const float off = 2.0F * hair.at - 1.0F;
+            // Hairs come in tufts whose ends are together.
+            const float tuft = hash_unit(i / 4, 9, s, 47);
+            hair.bend = 0.07F * (own(1) - 0.5F) - 0.05F * off;
+            hair.begins = 0.11F * own(2) * own(2) + 0.05F * off * off;
+            hair.ends = 1.0F - 0.26F * tuft - 0.12F * own(3) - 0.18F * off * off;
+            hair.tone = 0.60F + 0.40F * own(4);
+            if (s < 3) continue;
+            hair.begins = -1.0F;
+            hair.ends = 0.99F - 0.10F * tuft - 0.06F * own(3);
+        }
+    }
+    return {"wisps", 512, 256, glm::vec2(0.06F, 0.04F), [strips](glm::vec2 uv) {
+                const auto s = std::min(static_cast<std::size_t>(4.0F * uv.x), std::size_t{3});
+                const float u = 4.0F * uv.x - static_cast<float>(s);
                 Texel texel;
                 texel.opacity = 0.0F;
-                constexpr int kHairs = 3;  // wide enough to be seen whole at the study's distance
-                for (int i = 0; i < kHairs; ++i) {
-                    const auto own = [i](int which) { return hash_unit(i, which, 0, 47); };
-                    const float bend = 0.10F * (own(0) - 0.5F);
-                    const float at = (static_cast<float>(i) + 0.2F + 0.6F * own(1)) / kHairs +
-                                     bend * std::sin(3.0F * uv.y);
-                    const bool there = uv.y > 0.30F * own(2) && uv.y < 0.80F + 0.20F * own(3);
-                    const float thin = 0.13F * (1.0F - 0.85F * uv.y);
-                    if (!there || std::abs(uv.x - at) > thin) continue;
+                texel.albedo = glm::vec3(0.62F);
+                float highest = 0.0F;
+                for (const Hair& hair : strips[s]) {
+                    if (uv.y < hair.begins || uv.y > hair.ends) continue;
+                    const float t = uv.y / hair.ends;
+                    const float thin = 0.040F * std::min(1.0F, 2.6F * (1.0F - t) + 0.25F) *
+                                       std::min(1.0F, 0.35F + 9.0F * (uv.y - hair.begins));
+                    const float off = std::abs(u - hair.at - hair.bend * t * t) / thin;
+                    if (off > 1.0F) continue;
+                    const float high = (1.0F - off * off) * (0.4F + hair.tone);
+                    if (high <= highest) continue;
+                    highest = high;
                     texel.opacity = 1.0F;
-                    texel.albedo = glm::vec3(0.75F + 0.25F * own(4));
+                    texel.albedo = glm::vec3(hair.tone * (0.72F + 0.28F * (1.0F - off * off)));
+                    texel.height_m = 0.0003F * high;
                 }
-                if (texel.opacity == 0.0F) texel.albedo = glm::vec3(0.85F);
+                if (s == 3 && uv.y < 0.80F) texel.opacity = 1.0F;
                 return texel;
             }};
 }
@@ -163,11 +194,11 @@ void add_materials(renderer::Scene& scene) {
                                .specular_intensity = 0.6F,
                                .specular_power = 120.0F});
     add_material(scene, {.name = "jacket", .specular_intensity = 0.05F, .specular_power = 12.0F},
-                 weave("canvas", 64, 0.10F, 0.00012F, 0.0F));
+                 weave("canvas", 64, 0.10F, 0.00009F, 0.0F));
     add_material(scene, {.name = "shirt", .specular_intensity = 0.03F, .specular_power = 10.0F},
                  weave("linen", 64, 0.08F, 0.00008F, 0.0F));
     add_material(scene, {.name = "trousers", .specular_intensity = 0.03F, .specular_power = 10.0F},
-                 weave("twill", 48, 0.06F, 0.00015F, 1.0F));
+                 weave("twill", 64, 0.08F, 0.00005F, 1.0F));
     add_material(scene, {.name = "leather", .specular_intensity = 0.07F}, leather());
     scene.materials.push_back({.name = "metal",
                                .albedo = glm::vec3(1.0F),
@@ -186,28 +217,36 @@ void add_materials(renderer::Scene& scene) {
 
 void add_surroundings(renderer::Scene& scene) {
     renderer::Mesh ground;
+    // Its cells are small where people stand and large where nobody looks.
+    PatchOptions floor;
+    floor.columns = 150;
+    floor.rows = 150;
+    const auto spread = [](float t) { return 7.0F * t * (0.13F + 0.87F * t * t); };
+    ground = patch(floor, [&](float u, float v) {
+        const float x = spread(2.0F * u - 1.0F);
+        const float z = spread(1.0F - 2.0F * v);
+        const float far = std::max(0.0F, std::sqrt(x * x + z * z) - 1.2F);
+        return glm::vec3(x, std::min(1.0F, far) * 0.02F * fbm(glm::vec2(x, z) * 0.8F, 31, 3), z);
+    });
     ground.name = "ground";
     ground.material = static_cast<std::uint32_t>(Cloth::kGround);
-    PatchOptions floor;
-    floor.columns = 40;
-    floor.rows = 40;
-    floor.size_m = {14.0F, 14.0F};
-    Placement tiles;
-    tiles.uv_scale = glm::vec2(1.0F / 1.6F);
-    append(ground,
-           patch(floor,
-                 [](float u, float v) {
-                     const float x = (u - 0.5F) * 14.0F;
-                     const float z = (0.5F - v) * 14.0F;
-                     const float far = std::max(0.0F, std::sqrt(x * x + z * z) - 1.2F);
-                     return glm::vec3(
-                         x, std::min(1.0F, far) * 0.02F * fbm(glm::vec2(x, z) * 0.8F, 31, 3), z);
-                 }),
-           tiles);
+    for (renderer::Vertex& vertex : ground.vertices) {
+        vertex.uv = (glm::vec2(vertex.position_m.x, -vertex.position_m.z) + 7.0F) / 1.6F;
+    }
+    make_tangents(ground);
     // A low wall of blocks behind the two.
     renderer::Mesh wall;
     wall.name = "wall";
     wall.material = static_cast<std::uint32_t>(Cloth::kBlock);
+    for (int row = 0; row < 2; ++row) {
+        // What is between the blocks: where their corners are cut one would see through.
+        Placement core;
+        core.uv_scale = glm::vec2(1.0F / 1.6F);
+        core.transform =
+            moved(row % 2 == 0 ? 0.0F : 0.4F, 0.168F + 0.34F * static_cast<float>(row), -1.75F);
+        core.tint = glm::vec3(0.60F);
+        append(wall, bevelled_box({7.16F, 0.33F, 0.386F}, 0.004F), core);
+    }
     for (int row = 0; row < 3; ++row) {
         for (int i = -4; i <= 4; ++i) {
             const float width = 0.80F;
@@ -226,6 +265,24 @@ void add_surroundings(renderer::Scene& scene) {
     }
     scene.meshes.push_back(std::move(ground));
     scene.meshes.push_back(std::move(wall));
+}
+
+void paint_contact(renderer::Scene& scene, const std::vector<Sole>& soles) {
+    for (renderer::Mesh& mesh : scene.meshes) {
+        if (mesh.material != static_cast<std::uint32_t>(Cloth::kGround)) continue;
+        paint(mesh, [&](const glm::vec3& p, const glm::vec3&) {
+            float free = 1.0F;
+            for (const Sole& sole : soles) {
+                const glm::vec3 along = sole.toe_m - sole.heel_m;
+                const float t = std::clamp(
+                    glm::dot(p - sole.heel_m, along) / glm::dot(along, along), 0.0F, 1.0F);
+                const float away =
+                    std::max(0.0F, glm::distance(p, sole.heel_m + t * along) - sole.radius_m);
+                free *= 1.0F - 0.62F * std::exp(-away / 0.016F) - 0.16F * std::exp(-away / 0.07F);
+            }
+            return glm::vec3(free);
+        });
+    }
 }
 
 }  // namespace obscura::stimuli::figures

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stimuli/scenes/figures/figure.h"
 #include "stimuli/scenes/support/noise.h"
@@ -49,7 +50,7 @@ Sculpture torso(const Placed& at) {
     return s;
 }
 
-void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
+void add_sleeve(Sculpture& shirt, Sculpture& cuffs, const Placed& at, const glm::vec3& shoulder,
                 const glm::vec3& elbow, const glm::vec3& wrist, float inner_rad,
                 std::uint32_t seed) {
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
@@ -60,42 +61,44 @@ void add_sleeve(Sculpture& shirt, const Placed& at, const glm::vec3& shoulder,
                                   {p(elbow), 0.048F, 0.0F},
                                   {p(along(elbow, wrist, 0.30F)), 0.046F, 0.0F}},
                                  7, at.axes[2]);
-    shirt.add(tube(arm, folded({{1.08F * upper, 0.085F, inner_rad, 0.0052F, 0.036F, 0.35F},
-                                {0.10F * upper, 0.08F, 2.6F, 0.0036F, 0.042F, 0.25F},
-                                {0.55F * upper, 0.09F, inner_rad + 1.5F, 0.0040F, 0.050F, 0.40F}},
+    shirt.add(tube(arm, folded({{1.08F * upper, 0.10F, inner_rad, 0.0056F, 0.056F, 0.35F},
+                                {0.12F * upper, 0.10F, 2.6F, 0.0042F, 0.066F, 0.25F},
+                                {0.60F * upper, 0.12F, inner_rad + 1.5F, 0.0036F, 0.084F, 0.40F}},
                                seed)),
               {0.018F, kShirtColour, true});
-    // The sleeve is rolled up: two turns of cloth above the bare forearm.
+    // The sleeve is rolled up, two turns of cloth above the bare forearm: finer than the shirt's
+    // cells, a mesh of its own.
+    Sculpture turns;
     for (int i = 0; i < 2; ++i) {
-        const float t = 0.24F + 0.12F * static_cast<float>(i);
+        const float t = 0.24F + 0.13F * static_cast<float>(i);
         const Curve roll = make_curve(
-            {{p(along(elbow, wrist, t)), 0.0505F - 0.002F * static_cast<float>(i), 0.0F},
+            {{p(along(elbow, wrist, t)), 0.0500F - 0.002F * static_cast<float>(i), 0.0F},
+             {p(along(elbow, wrist, t + 0.05F)), 0.0520F - 0.002F * static_cast<float>(i), 0.0F},
              {p(along(elbow, wrist, t + 0.10F)), 0.0490F - 0.002F * static_cast<float>(i), 0.0F}},
-            3, at.axes[2]);
-        shirt.add(tube(roll, folded({{0.01F, 0.05F, 1.0F, 0.0025F, 0.030F, 0.8F}}, seed + 7)),
-                  {0.008F, kShirtColour, true});
+            4, at.axes[2]);
+        turns.add(tube(roll, folded({{0.02F, 0.06F, 1.0F, 0.0022F, 0.050F, 0.7F}}, seed + 7)),
+                  {0.005F, kShirtColour, true});
     }
-    shirt.carve(
-        round_cone(p(along(elbow, wrist, 0.53F)), 0.0335F, p(along(elbow, wrist, 0.80F)), 0.036F),
-        {0.003F, kShirtColour * 0.7F, true});
+    const glm::vec3 way = glm::normalize(p(wrist) - p(elbow));
+    turns.keep(half_space(p(along(elbow, wrist, 0.505F)), way), {0.006F, kShirtColour, false});
+    turns.carve(
+        round_cone(p(along(elbow, wrist, 0.44F)), 0.0375F, p(along(elbow, wrist, 0.80F)), 0.040F),
+        {0.005F, kShirtColour * 0.6F, true});
+    cuffs.add(as_shape(std::move(turns)), {0.0F, kShirtColour, true});
 }
 
-void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& shirt = woman.part("shirt", Cloth::kShirt, 0.0084F, 0.08F).solid;
-    shirt = core;
+Sculpture add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
+    Sculpture shirt = core;
     shirt.keep(half_space(at(0.0F, 0.925F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
                {0.004F, kShirtColour, false});
-    add_sleeve(shirt, at, kShoulderRight, kElbowRight, kWristRight, 0.4F, 505);
-    add_sleeve(shirt, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.6F, 606);
+    Sculpture cuffs;
+    add_sleeve(shirt, cuffs, at, kShoulderRight, kElbowRight, kWristRight, 0.4F, 505);
+    add_sleeve(shirt, cuffs, at, kShoulderLeft, kElbowLeft, kWristLeft, 0.6F, 606);
     // Open neck with a turned-down collar.
     shirt.carve(round_cone(at(0.0F, 1.420F, 0.000F), 0.052F, at(0.0F, 1.500F, 0.020F), 0.062F),
                 {0.005F, kShirtColour, false});
     shirt.carve(ellipsoid(at(0.0F, 1.360F, 0.105F), {0.024F, 0.068F, 0.050F}, at.axes),
                 {0.006F, kShirtColour, false});
-    // Button band.
-    shirt.add(layer(core, 0.005F,
-                    rounded_box(at(0.0F, 1.13F, 0.12F), {0.014F, 0.19F, 0.12F}, 0.003F, at.axes)),
-              {0.002F, kShirtColour, true});
     shirt.displace(
         {[at](const glm::vec3& world) {
              const glm::vec3 p = (world - at.origin_m) * at.axes;
@@ -109,28 +112,21 @@ void add_shirt(Figure& woman, const Placed& at, const Sculpture& core) {
              return body * (0.0040F * waist * rolls * (0.5F + std::abs(warp)) + 0.0032F * drape);
          },
          0.008F});
+    woman.part("cuffs", Cloth::kShirt, 0.0044F, 0.08F).solid = std::move(cuffs);
+    woman.part("shirt", Cloth::kShirt, 0.0068F, 0.08F).solid = shirt;
+    // Button band.
+    const glm::vec3 back = at.axes * glm::vec3(0.0F, 0.0F, -1.0F);
+    woman.overlaid.push_back(
+        {"button band", Cloth::kShirt, 0.08F,
+         overlay(shirt, {.columns = 6, .rows = 50, .thick_m = 0.0026F, .colour = kShirtColour},
+                 along_path({at(0.004F, 1.318F, 0.20F), at(0.004F, 1.15F, 0.20F),
+                             at(0.003F, 0.930F, 0.20F)},
+                            back, 0.030F))});
+    return shirt;
 }
 
-void add_collar(Figure& woman, const Placed& at) {
-    Sculpture& collar = woman.part("collar", Cloth::kShirt, 0.0045F, 0.08F).solid;
-    for (const float x : kSides) {
-        Curve wing = make_curve({{at(0.0F, 1.446F, -0.074F), 0.0075F, 0.021F},
-                                 {at(x * 0.052F, 1.440F, -0.042F), 0.0075F, 0.022F},
-                                 {at(x * 0.066F, 1.418F, 0.015F), 0.0075F, 0.024F},
-                                 {at(x * 0.050F, 1.380F, 0.066F), 0.0075F, 0.026F},
-                                 {at(x * 0.046F, 1.335F, 0.098F), 0.0065F, 0.014F}},
-                                6, at.axes[1]);
-        for (CurvePoint& point : wing) {
-            const glm::vec3 out = point.position_m - at(0.0F, 1.33F, -0.02F);
-            point.normal = glm::normalize(out);
-        }
-        rebuild_frames(wing);
-        collar.add(tube(wing), {0.004F, kShirtColour, true});
-    }
-}
-
-void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
-    Sculpture& vest = woman.part("vest", Cloth::kLeather, 0.0078F, 0.12F).solid;
+Sculpture add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
+    Sculpture vest;
     Sculpture body;
     body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
     body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
@@ -139,7 +135,7 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     // Armholes, neck and the open front, which widens downwards.
     for (const float x : kSides) {
         body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
-                   {0.007F, kVestColour, false});
+                   {0.010F, kVestColour, false});
     }
     body.carve(round_cone(at(0.0F, 1.400F, 0.02F), 0.072F, at(0.0F, 1.52F, 0.02F), 0.080F),
                {0.007F, kVestColour, false});
@@ -150,23 +146,23 @@ void add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
                                6, at.axes[0])),
                {0.007F, kVestColour, false});
     vest.add(as_shape(body), {0.0F, kVestColour, true});
-    // Seams and pocket welts stand out a little.
+    woman.part("vest", Cloth::kLeather, 0.0058F, 0.12F).solid = vest;
+    // Seams, pocket welts and a border along the front's edges.
+    const glm::vec3 back = at.axes * glm::vec3(0.0F, 0.0F, -1.0F);
+    const auto put = [&](const char* name, const OverlayStyle& style,
+                         const std::vector<glm::vec3>& path, float wide) {
+        woman.overlaid.push_back(
+            {name, Cloth::kLeather, 0.12F, overlay(vest, style, along_path(path, back, wide))});
+    };
     for (const float x : kSides) {
-        Sculpture seam;
-        seam.add(grown(as_shape(core), 0.0178F));
-        seam.keep(
-            rounded_box(at(x * 0.098F, 1.19F, 0.10F), {0.0035F, 0.165F, 0.14F}, 0.002F, at.axes),
-            {0.002F, {}, false});
-        seam.carve(grown(as_shape(core), 0.004F));
-        vest.add(as_shape(seam), {0.003F, kVestColour * 0.8F, true});
-        Sculpture welt;
-        welt.add(grown(as_shape(core), 0.0200F));
-        welt.keep(
-            rounded_box(at(x * 0.090F, 1.100F, 0.12F), {0.036F, 0.011F, 0.10F}, 0.004F, at.axes),
-            {0.002F, {}, false});
-        welt.carve(grown(as_shape(core), 0.004F));
-        vest.add(as_shape(welt), {0.002F, kVestColour * 0.8F, true});
+        put("seam", {.columns = 4, .rows = 36, .thick_m = 0.0018F, .colour = kVestColour * 0.85F},
+            {at(x * 0.092F, 1.370F, 0.20F), at(x * 0.098F, 1.25F, 0.22F),
+             at(x * 0.094F, 1.12F, 0.20F), at(x * 0.104F, 1.024F, 0.20F)},
+            0.009F);
+        put("welt", {.columns = 4, .rows = 12, .thick_m = 0.0042F, .colour = kVestColour * 0.85F},
+            {at(x * 0.056F, 1.098F, 0.20F), at(x * 0.122F, 1.106F, 0.20F)}, 0.020F);
     }
+    return vest;
 }
 
 void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::vec3& knee,
@@ -181,16 +177,16 @@ void add_leg(Sculpture& s, const Placed& at, const glm::vec3& hip, const glm::ve
                                   {p(along(knee, ankle, 0.28F) + calf), 0.057F, 0.0F},
                                   {p(along(knee, ankle, 0.52F) + calf), 0.050F, 0.0F}},
                                  7, at.axes[2]);
-    s.add(tube(leg, folded({{0.02F, 0.075F, 0.0F, 0.0050F, 0.036F, 0.35F},
-                            {1.02F * upper, 0.065F, 3.1F, 0.0055F, 0.030F, 0.35F},
-                            {0.88F * upper, 0.05F, 0.2F, 0.0030F, 0.026F, 0.30F},
-                            {0.50F * upper, 0.12F, 1.8F, 0.0025F, 0.060F, 0.40F}},
+    s.add(tube(leg, folded({{0.05F, 0.075F, 0.0F, 0.0036F, 0.052F, 0.30F},
+                            {1.02F * upper, 0.075F, 3.1F, 0.0045F, 0.042F, 0.30F},
+                            {0.86F * upper, 0.06F, 0.2F, 0.0022F, 0.040F, 0.25F},
+                            {0.50F * upper, 0.12F, 1.8F, 0.0022F, 0.080F, 0.40F}},
                            seed)),
           {0.02F, kTrouserColour, true});
 }
 
-void add_trousers(Figure& woman, const Placed& at) {
-    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0098F, 0.06F).solid;
+Sculpture add_trousers(Figure& woman, const Placed& at) {
+    Sculpture& s = woman.part("trousers", Cloth::kTrousers, 0.0078F, 0.06F).solid;
     s.add(ellipsoid(at(0.0F, 0.915F, -0.006F), {0.166F, 0.098F, 0.117F}, at.axes),
           {0.0F, kTrouserColour, true});
     s.keep(half_space(at(0.0F, 0.965F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F)),
@@ -219,43 +215,42 @@ void add_trousers(Figure& woman, const Placed& at) {
                     const float rays =
                         std::sin(26.0F * std::atan2(p.y - 0.785F, std::abs(p.x) + 0.05F) +
                                  2.0F * gradient_noise(p * 9.0F, 71));
-                    return 0.0036F * seat * rays;
+                    return 0.0020F * seat * rays;
                 },
                 0.005F});
+    return s;
 }
 
-void add_belt(Figure& woman, const Placed& at) {
+void add_belt(Figure& woman, const Placed& at, const Sculpture& clothes) {
     Sculpture& s = woman.part("belt", Cloth::kLeather, 0.0058F, 0.12F).solid;
-    const StrokeStyle leather{0.001F, kLeatherColour, true};
-    const float tilt = 0.018F;
-    const auto loop = [&](float y, float grow, float half, float slant) {
-        std::vector<Knot> knots;
-        for (int i = 0; i <= 12; ++i) {
-            const float angle = 2.0F * 3.1415926F * static_cast<float>(i) / 12.0F;
-            knots.push_back({at((0.152F + grow) * std::sin(angle), y - slant * std::sin(angle),
-                                -0.006F + (0.113F + grow) * std::cos(angle)),
-                             0.0055F, half});
-        }
-        return make_curve(knots, 4, at.axes[2]);
-    };
-    const auto outwards = [&](Curve curve) {
-        for (CurvePoint& point : curve) {
-            glm::vec3 out = point.position_m - at(0.0F, 0.0F, 0.0F);
-            out -= at.axes[1] * glm::dot(out, at.axes[1]);
-            point.normal = glm::normalize(out);
-        }
-        rebuild_frames(curve);
-        return curve;
-    };
-    s.add(tube(outwards(loop(0.952F, 0.006F, 0.019F, 0.0F)), {true, nullptr, 0.0F}), leather);
-    s.add(tube(outwards(loop(0.915F, 0.020F, 0.015F, tilt)), {true, nullptr, 0.0F}),
-          {0.001F, kLeatherColour * 0.7F, true});
+    woman.overlaid.push_back(
+        {"belt", Cloth::kLeather, 0.12F,
+         overlay(clothes,
+                 {.columns = 4,
+                  .rows = 64,
+                  .thick_m = 0.0050F,
+                  .colour = kLeatherColour,
+                  .stiff = 3,
+                  .ring = true,
+                  .sunk_m = 0.010F},
+                 around_body(at, {0.0F, 0.950F, -0.006F}, {0.186F, 0.170F}, 0.038F, 0.0F))});
+    woman.overlaid.push_back(
+        {"hip belt", Cloth::kLeather, 0.12F,
+         overlay(clothes,
+                 {.columns = 4,
+                  .rows = 64,
+                  .thick_m = 0.0050F,
+                  .colour = kLeatherColour * 0.7F,
+                  .stiff = 4,
+                  .ring = true,
+                  .sunk_m = 0.010F},
+                 around_body(at, {0.0F, 0.905F, -0.006F}, {0.192F, 0.175F}, 0.030F, -0.022F))});
     const glm::vec3 steel(0.46F, 0.45F, 0.43F);
     Sculpture buckle;
-    buckle.add(rounded_box(at(0.0F, 0.952F, 0.118F), {0.025F, 0.022F, 0.006F}, 0.004F, at.axes));
-    buckle.carve(rounded_box(at(0.0F, 0.952F, 0.118F), {0.016F, 0.013F, 0.02F}, 0.003F, at.axes));
+    buckle.add(rounded_box(at(0.0F, 0.950F, 0.124F), {0.025F, 0.022F, 0.007F}, 0.004F, at.axes));
+    buckle.carve(rounded_box(at(0.0F, 0.950F, 0.124F), {0.016F, 0.013F, 0.02F}, 0.003F, at.axes));
     s.add(as_shape(buckle), {0.0F, steel, true});
-    s.add(round_cone(at(-0.014F, 0.952F, 0.122F), 0.003F, at(0.022F, 0.952F, 0.122F), 0.0026F),
+    s.add(round_cone(at(-0.014F, 0.950F, 0.128F), 0.003F, at(0.022F, 0.950F, 0.128F), 0.0026F),
           {0.0F, steel, true});
     // A bag on the right hip, hanging from the second belt.
     const glm::mat3 axes =
@@ -268,24 +263,25 @@ void add_belt(Figure& woman, const Placed& at) {
 }
 
 void add_arms(Figure& woman, const Placed& at, const glm::vec3& colour) {
-    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0040F, 0.06F).solid;
+    Sculpture& skin = woman.part("arms", Cloth::kSkin, 0.0026F, 0.06F).solid;
     const auto p = [&](const glm::vec3& q) { return at(q.x, q.y, q.z); };
     const auto forearm = [&](const glm::vec3& elbow, const glm::vec3& wrist) {
-        skin.add(tube(make_curve({{p(along(elbow, wrist, 0.42F)), 0.0345F, 0.0F},
-                                  {p(along(elbow, wrist, 0.58F)), 0.0330F, 0.0F},
-                                  {p(along(elbow, wrist, 0.80F)), 0.0265F, 0.0F},
-                                  {p(wrist), 0.0225F, 0.0F}},
-                                 6, at.axes[2])),
-                 {0.012F, colour, true});
+        const auto bone = [&](float from, float thick, float to, float thin) {
+            skin.add(
+                round_cone(p(along(elbow, wrist, from)), thick, p(along(elbow, wrist, to)), thin),
+                {0.020F, colour, true});
+        };
+        bone(0.42F, 0.0340F, 0.60F, 0.0322F);
+        bone(0.60F, 0.0315F, 1.00F, 0.0218F);
     };
     forearm(kElbowRight, kWristRight);
     const glm::vec3 down = at.axes * glm::normalize(glm::vec3(0.02F, -1.0F, 0.20F));
     add_hand(skin, {p(kWristRight), axes_from(down, at.axes * glm::vec3(-1.0F, 0.0F, 0.25F))},
-             0.90F, 1.0F, {{0.22F, 0.35F, 0.22F}, 0.05F, 0.35F}, colour);
+             0.90F, 1.0F, {{0.20F, 0.34F, 0.22F}, 0.09F, 0.30F}, colour);
     forearm(kElbowLeft, kWristLeft);
     const glm::vec3 rest = at.axes * glm::normalize(glm::vec3(-0.50F, -0.42F, 0.72F));
     add_hand(skin, {p(kWristLeft), axes_from(rest, at.axes * glm::vec3(0.80F, 0.25F, 0.55F))},
-             0.90F, -1.0F, {{0.20F, 0.42F, 0.25F}, 0.07F, -0.15F}, colour);
+             0.90F, -1.0F, {{0.20F, 0.42F, 0.25F}, 0.11F, -0.15F}, colour);
 }
 
 }  // namespace
@@ -294,33 +290,55 @@ Figure make_woman(const Placed& at) {
     Figure woman;
     woman.name = "woman";
     const Sculpture core = torso(at);
-    add_shirt(woman, at, core);
-    add_collar(woman, at);
-    add_vest(woman, at, core);
-    add_trousers(woman, at);
-    add_belt(woman, at);
+    Sculpture clothes;
+    clothes.add(as_shape(add_shirt(woman, at, core)));
+    Sculpture above = clothes;
+    above.add(as_shape(add_vest(woman, at, core)));
+    add_collar(woman, at, above,
+               {.neck_m = {0.0F, 1.462F, -0.010F},
+                .radius_m = 0.056F,
+                .open_rad = 0.50F,
+                .drop_m = 0.060F,
+                .wide_m = 0.030F,
+                .point_m = 0.062F},
+               Cloth::kShirt, 0.08F, kShirtColour);
+    clothes.add(as_shape(add_trousers(woman, at)));
+    add_belt(woman, at, clothes);
     constexpr Shaft kShaft{0.33F, 0.0607F};
-    Sculpture& boots = woman.part("boots", Cloth::kLeather, 0.0086F, 0.12F).solid;
-    add_boot(boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft, kLeatherColour);
-    add_boot(boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    Sculpture boots;
+    add_boot(woman, boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft,
+             kLeatherColour);
+    add_boot(woman, boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
+    FigurePart& worn = woman.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    worn.solid = std::move(boots);
+    worn.painted_shade = 0.4F;
     add_arms(woman, at, kSkinColour);
     const glm::vec3 gaze = at.axes * glm::normalize(glm::vec3(-0.16F, 0.0F, 1.0F));
     const Placed head{at(0.0F, 1.578F, 0.026F),
                       axes_from(gaze, at.axes * glm::vec3(-0.05F, 1.0F, 0.0F))};
     FaceTraits traits;
     traits.skin = kSkinColour;
-    traits.lip = {0.46F, 0.18F, 0.155F};
-    traits.brow = 0.5F;
-    traits.jaw = 0.92F;
-    traits.hollow = 0.45F;
-    traits.lips = 1.18F;
-    traits.nose = 0.88F;
+    traits.lip = {0.47F, 0.20F, 0.175F};
+    traits.brow = -0.2F;
+    traits.jaw = 0.90F;
+    traits.hollow = 0.0F;
+    traits.lips = 1.04F;
+    traits.nose = 0.80F;
+    traits.nose_length = 0.92F;
+    traits.cheeks = 1.0F;
+    traits.nose_width = 0.80F;
+    traits.age = 0.15F;
+    traits.slant = 2.2F;
+    traits.brow_weight = 0.72F;
     traits.neck = 0.84F;
-    traits.eyelids = 1.15F;
+    traits.throat = 0.0F;
+    traits.eyelids = 1.18F;
     traits.brows = {0.11F, 0.062F, 0.035F};
     traits.iris = {0.10F, 0.16F, 0.12F};
+    traits.hair = {0.15F, 0.075F, 0.038F};
+    traits.hairline = long_hairline;
     add_head(woman, head, 0.945F, traits);
-    add_ponytail(woman, head, 0.945F, {0.15F, 0.075F, 0.038F});
+    add_ponytail(woman, head, 0.945F, traits.hair);
     return woman;
 }
 

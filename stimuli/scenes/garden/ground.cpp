@@ -144,6 +144,18 @@ void put_lawn(Assembly& garden) {
                 about_x(draw(random, -0.2F, 0.3F)),
             shade_of(own, 0.45F));
     }
+    // The short grass between them, where one stands near enough to see that turf is blades.
+    for (int i = 0; i < 11000; ++i) {
+        const float x = draw(random, -3.6F, 4.2F);
+        const float z = kPathFront + 0.03F + 1.7F * draw(random, 0.0F, 1.0F);
+        const float size = draw(random, 0.045F, 0.075F);
+        const auto own = static_cast<std::uint32_t>(random.below(1U << 20U));
+        garden.put_mapped(
+            Surface::kGrass, card(size, 0.62F * size, draw(random, 0.2F, 1.1F), 0.2F, 1),
+            moved(x, ground_m(x, z) - 0.003F, z) * about_y(draw(random, 0.0F, 6.28F)) *
+                about_x(draw(random, -0.3F, 0.5F)),
+            shade_of(own, 0.40F) * vec3(0.90F, 0.94F, 0.90F));
+    }
     for (int i = 0; i < 130; ++i) {
         const float x = draw(random, -2.5F, 3.4F);
         const float z = draw(random, kPathFront + 0.1F, 2.6F);

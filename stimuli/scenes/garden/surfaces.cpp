@@ -119,7 +119,7 @@ Texel turf(vec2 uv) {
     const float patchy = noise(uv * 2.0F);
     const float bare = glm::smoothstep(0.25F, 0.5F, noise(uv * 3.0F + 0.7F));
     Texel texel;
-    texel.albedo = glm::mix(colour<0x3d4a22>(), colour<0x66743a>(),
+    texel.albedo = glm::mix(colour<0x35411e>(), colour<0x5b6833>(),
                             glm::clamp(0.5F + 0.5F * blade + 0.4F * patchy, 0.0F, 1.0F));
     texel.albedo = glm::mix(texel.albedo, colour<0x594a35>(), 0.55F * bare);
     texel.height_m = 0.004F * blade;

@@ -151,12 +151,23 @@ void put_bucket(Assembly& hall, const glm::mat4& place, const vec3& tint) {
                                     {0.106F, 0.03F},
                                     {0.0F, 0.025F}}};
     hall.put(Surface::kEnamel, revolve(pail, 36), place, 1030U, tint);
-    std::vector<vec3> bail;
-    for (int i = 0; i <= 16; ++i) {
-        const float a = glm::pi<float>() * static_cast<float>(i) / 16.0F;
-        bail.emplace_back(0.148F * std::cos(a), 0.26F + 0.05F * std::sin(a), 0.13F * std::sin(a));
+    // Two ears riveted on below the rim, outside; the bail hooks into them and lies on the rim.
+    constexpr float kEar = 0.157F;
+    for (const float x : {-1.0F, 1.0F}) {
+        hall.put(Surface::kZinc, bevelled_box({0.008F, 0.034F, 0.030F}, 0.002F),
+                 place * moved(x * 0.1475F, 0.252F, 0.0F) * about_z(-x * 0.13F), 1031U);
+        hall.put(Surface::kZinc,
+                 rod({x * 0.144F, 0.252F, 0.0F}, {x * (kEar + 0.004F), 0.252F, 0.0F}, 0.0045F, 8),
+                 place, 1031U);
     }
-    hall.put(Surface::kZinc, sweep(circle(0.004F, 8), frames_along(bail, {0.0F, 1.0F, 0.0F})),
+    std::vector<vec3> bail;
+    for (int i = 0; i <= 24; ++i) {
+        const float a = glm::pi<float>() * static_cast<float>(i) / 24.0F;
+        const float s = std::sin(a);
+        bail.emplace_back(kEar * std::cos(a), 0.252F + 0.048F * std::min(1.0F, 2.2F * s),
+                          0.158F * s);
+    }
+    hall.put(Surface::kZinc, sweep(circle(0.0036F, 8), frames_along(bail, {0.0F, 1.0F, 0.0F})),
              place, 1031U);
 }
 

@@ -158,18 +158,34 @@ void put_terminals(Assembly& hall) {
                                        {0.0F, 0.045F}}};
         hall.put(Surface::kBrass, revolve(nut, 6, 0.3F), gland, 543U);
         const vec3 from = vec3(place[3]) + vec3(0.13F, -0.01F, z);
-        const float off = 0.035F * static_cast<float>(i);
-        const float on_block = kFoundationTop + 0.016F;
-        const std::array<vec3, 8> run{{from - vec3(0.03F, 0.0F, 0.0F),
-                                       from + vec3(0.14F + off, 0.0F, 0.0F),
-                                       {from.x + 0.15F + off, 0.45F, from.z},
-                                       {from.x + 0.16F + off, on_block, from.z - 0.05F},
-                                       {1.80F + off, on_block, from.z - 0.22F},
-                                       {1.82F + off, 0.015F, from.z - 0.26F},
-                                       {1.95F + off, 0.015F, -1.0F},
-                                       {2.05F + off, 0.015F, kWallZ + 0.2F}}};
-        hall.put(Surface::kRubber, pipe(run, 0.13F, 0.0135F, 12), glm::mat4(1.0F), 544U);
+        // Down by its own weight, over the foundation's edge and along the floor, no two alike.
+        const float n = static_cast<float>(i);
+        const float block = kFoundationTop + 0.014F;
+        const float edge = 1.755F + 0.004F * n;
+        const std::array<vec3, 14> run{
+            {from - vec3(0.035F, 0.0F, 0.0F),
+             from + vec3(0.030F, -0.002F, 0.0F),
+             from + vec3(0.105F + 0.012F * n, -0.045F, -0.006F * n),
+             from + vec3(0.150F + 0.020F * n, -0.165F, -0.012F),
+             from + vec3(0.150F + 0.026F * n, -0.400F, -0.030F - 0.01F * n),
+             {from.x + 0.125F + 0.032F * n, block + 0.12F, from.z - 0.06F},
+             {from.x + 0.155F + 0.030F * n, block + 0.012F, from.z - 0.12F},
+             {edge - 0.050F, block + 0.004F, from.z - 0.21F - 0.02F * n},
+             {edge + 0.012F, block - 0.010F, from.z - 0.27F - 0.03F * n},
+             {edge + 0.055F, 0.060F, from.z - 0.33F - 0.03F * n},
+             {edge + 0.120F, 0.015F, from.z - 0.45F - 0.05F * n},
+             {1.97F + 0.05F * n, 0.014F, -0.95F + 0.04F * n},
+             {1.92F + 0.085F * n, 0.014F, -1.26F},
+             {2.03F + 0.06F * n, 0.050F, -1.53F}}};
+        hall.put(Surface::kRubber, slack_cable(run, 0.0125F, 10), glm::mat4(1.0F), 544U);
+        const std::array<vec2, 5> collar{
+            {{0.0F, 0.0F}, {0.024F, 0.0F}, {0.024F, 0.020F}, {0.017F, 0.034F}, {0.0F, 0.034F}}};
+        hall.put(Surface::kBrass, revolve(collar, 6, 0.3F),
+                 moved(2.03F + 0.06F * n, 0.050F, -1.492F) * lie_along_z(), 546U);
     }
+    // Where they go into the cabinet's plinth.
+    hall.put(Surface::kZinc, bevelled_box({0.20F, 0.075F, 0.012F}, 0.003F),
+             moved(2.09F, 0.050F, -1.495F), 547U);
     hall.put(Surface::kBrass, bevelled_box({0.004F, 0.05F, 0.10F}, 0.001F),
              place * moved(0.092F, 0.0F, 0.0F) * moved(0.0F, 0.03F, 0.0F), 545U);
 }

@@ -46,7 +46,7 @@ void leave_out_underside(renderer::Mesh& mesh) {
 /// larger, it would meet the border of the image, beyond which a technique finds nothing to sample:
 /// a band.
 renderer::Mesh stand() {
-    constexpr float kRadius_m = 0.548F;
+    constexpr float kRadius_m = 0.526F;
     const std::array<glm::vec2, 8> profile{{{0.0F, -0.036F},
                                             {kRadius_m - 0.006F, -0.036F},
                                             {kRadius_m, -0.030F},

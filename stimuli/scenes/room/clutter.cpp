@@ -170,13 +170,19 @@ void put_cables(Assembly& study) {
         study.put(Surface::kPlastic, bevelled_box({0.034F, 0.045F, 0.034F}, 0.008F),
                   strip * moved(plug), 751U, i == 1 ? vec3(0.75F) : vec3(0.04F));
         const vec3 from = vec3(strip * glm::vec4(plug + vec3(0.0F, 0.022F, 0.0F), 1.0F));
-        const std::array<vec3, 5> lead{
-            {from, from + vec3(0.0F, 0.05F, 0.03F),
-             from + vec3(0.12F, -0.04F, 0.16F - 0.04F * static_cast<float>(i)),
-             vec3(-1.2F + 0.09F * static_cast<float>(i), 0.010F,
-                  -1.72F + 0.05F * static_cast<float>(i)),
-             vec3(-1.0F + 0.05F * static_cast<float>(i), 0.30F, -1.955F)}};
-        study.put(Surface::kPlastic, pipe(lead, 0.09F, 0.0035F, 8), glm::mat4(1.0F), 752U,
+        // Out of the plug, slack on the floor, and up behind the desk's back.
+        const float n = static_cast<float>(i);
+        const vec3 up(-1.06F + 0.055F * n, 0.0F, -1.957F);
+        const std::array<vec3, 9> lead{{from,
+                                        from + vec3(0.002F, 0.030F, 0.004F),
+                                        from + vec3(0.030F, 0.048F, 0.030F),
+                                        from + vec3(0.075F, 0.010F, 0.070F + 0.01F * n),
+                                        {from.x + 0.13F, 0.0045F, from.z + 0.125F - 0.018F * n},
+                                        {-1.28F + 0.06F * n, 0.0045F, -1.74F + 0.055F * n},
+                                        {-1.10F + 0.07F * n, 0.0045F, -1.83F + 0.02F * n},
+                                        up + vec3(0.0F, 0.07F, 0.0F),
+                                        up + vec3(-0.02F + 0.01F * n, 0.52F, 0.0F)}};
+        study.put(Surface::kPlastic, slack_cable(lead, 0.0035F), glm::mat4(1.0F), 752U,
                   vec3(0.035F));
     }
     for (const float x : {-1.78F, -0.08F, 0.26F}) {

@@ -87,13 +87,19 @@ void put_lamp(Assembly& study) {
     bulb.emplace_back(0.014F, 0.046F);
     bulb.emplace_back(0.0F, 0.05F);
     study.put(Surface::kBulb, revolve(bulb, 24), shade, 506U);
-    const std::array<vec3, 6> lead{{kLampFoot + vec3(-0.07F, 0.006F, 0.0F),
-                                    kLampFoot + vec3(-0.14F, 0.004F, -0.05F),
-                                    {-1.92F, kDeskTop + 0.004F, -1.90F},
-                                    {-1.94F, kDeskTop + 0.004F, -1.975F},
-                                    {-1.94F, 0.4F, -1.978F},
-                                    {-1.70F, 0.20F, -1.978F}}};
-    study.put(Surface::kPlastic, pipe(lead, 0.05F, 0.0035F, 8), glm::mat4(1.0F), 507U, kBlack);
+    const std::array<vec3, 10> lead{{kLampFoot + vec3(-0.07F, 0.006F, 0.0F),
+                                     kLampFoot + vec3(-0.14F, 0.004F, -0.05F),
+                                     {-1.92F, kDeskTop + 0.004F, -1.90F},
+                                     {-1.938F, kDeskTop + 0.004F, -1.955F},
+                                     {-1.940F, kDeskTop - 0.05F, -1.978F},
+                                     {-1.935F, 0.45F, -1.976F},
+                                     {-1.905F, 0.21F, -1.968F},
+                                     {-1.850F, 0.165F, -1.958F},
+                                     {-1.812F, 0.205F, -1.955F},
+                                     {-1.808F, 0.262F, -1.958F}}};
+    study.put(Surface::kPlastic, slack_cable(lead, 0.0035F), glm::mat4(1.0F), 507U, kBlack);
+    study.put(Surface::kPlastic, bevelled_box({0.036F, 0.046F, 0.042F}, 0.008F),
+              moved(-1.808F, 0.281F, -1.968F), 508U, kBlack);
 }
 
 void put_monitor(Assembly& study) {

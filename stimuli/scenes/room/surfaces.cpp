@@ -45,7 +45,7 @@ Texel boards(vec2 uv) {
     const float gap = 1.0F - glm::smoothstep(0.0006F, 0.0022F, edge_m);
     const float worn = glm::smoothstep(-0.2F, 0.4F, noise(uv + 0.37F));
     Texel texel;
-    texel.albedo = glm::mix(colour<0x8a613b>(), colour<0xb98c5b>(),
+    texel.albedo = glm::mix(colour<0x8a6d4d>(), colour<0xba9970>(),
                             glm::clamp(0.5F + 0.5F * grain + 0.5F * figure, 0.0F, 1.0F));
     texel.albedo *= 0.72F + 0.36F * own;
     texel.albedo = glm::mix(texel.albedo, colour<0xa68a68>(), 0.35F * worn);

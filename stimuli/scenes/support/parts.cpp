@@ -84,6 +84,32 @@ Mesh cable(const vec3& from_m, const vec3& to_m, float sag_m, float radius_m, in
     return sweep(circle(radius_m, 8), frames_along(path, any_perpendicular(along)));
 }
 
+Mesh slack_cable(std::span<const vec3> through_m, float radius_m, int segments) {
+    constexpr int kPieces = 8;
+    std::vector<vec3> path;
+    for (std::size_t i = 0; i + 1 < through_m.size(); ++i) {
+        const vec3& a = through_m[i == 0 ? 0 : i - 1];
+        const vec3& b = through_m[i];
+        const vec3& c = through_m[i + 1];
+        const vec3& d = through_m[std::min(i + 2, through_m.size() - 1)];
+        // Slopes by the distances on both sides, so that uneven steps make no loops.
+        const float before = std::max(glm::distance(a, b), 1e-4F);
+        const float here = glm::distance(b, c);
+        const float after = std::max(glm::distance(c, d), 1e-4F);
+        const vec3 leave = (c - a) * (here / (before + here));
+        const vec3 arrive = (d - b) * (here / (here + after));
+        for (int k = i == 0 ? 0 : 1; k <= kPieces; ++k) {
+            const float t = static_cast<float>(k) / kPieces;
+            const float t2 = t * t;
+            const float t3 = t2 * t;
+            path.push_back(b * (2.0F * t3 - 3.0F * t2 + 1.0F) + leave * (t3 - 2.0F * t2 + t) +
+                           c * (3.0F * t2 - 2.0F * t3) + arrive * (t3 - t2));
+        }
+    }
+    const vec3 along = glm::normalize(path[1] - path[0]);
+    return sweep(circle(radius_m, segments), frames_along(path, any_perpendicular(along)));
+}
+
 Mesh bolt(float size_m) {
     const float s = size_m;
     const std::array<vec2, 4> washer{

@@ -50,6 +50,9 @@ namespace obscura::stimuli {
 /// A cable that hangs between two points, `sag_m` below the straight line in the middle.
 [[nodiscard]] renderer::Mesh cable(const glm::vec3& from_m, const glm::vec3& to_m, float sag_m,
                                    float radius_m, int pieces = 14);
+/// A slack cable through points: a spline, without the corners of a pipe.
+[[nodiscard]] renderer::Mesh slack_cable(std::span<const glm::vec3> through_m, float radius_m,
+                                         int segments = 8);
 /// A hexagonal bolt's head on a washer with the thread's end standing out along +Y; the seat is the
 /// plane y = 0. `size_m` is the thread's diameter.
 [[nodiscard]] renderer::Mesh bolt(float size_m);

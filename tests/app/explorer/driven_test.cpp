@@ -212,6 +212,63 @@ TEST_F(ExplorerDriven, WhatIsSavedIntoAStudyIsRenderedToTheByteAsItIsSeen) {
     EXPECT_EQ(alike, 1) << "one of the saved PNGs is the rendered one to the byte";
 }
 
+TEST_F(ExplorerDriven, OneFliesWhileTheMouseTurns) {
+    ASSERT_TRUE(wait_for_images());
+    const renderer::Camera before = model().view().camera;
+    point_at({300.0F, 400.0F});
+    display_.tool({"xdotool", "mousedown", "1", "keydown", "w"});
+    frames(3);
+    point_at({340.0F, 400.0F});
+    frames(10);
+    display_.tool({"xdotool", "keyup", "w", "mouseup", "1"});
+    frames(2);
+    const renderer::Camera& after = model().view().camera;
+    EXPECT_GT(glm::distance(after.position_m, before.position_m), 0.01F);
+    const auto ahead = [](const renderer::Camera& of) {
+        return glm::normalize(of.target_m - of.position_m);
+    };
+    EXPECT_GT(glm::distance(ahead(after), ahead(before)), 0.01F);
+}
+
+TEST_F(ExplorerDriven, ThePanelsAreGoneThroughByKeysWithoutFlying) {
+    ASSERT_TRUE(wait_for_images());
+    point_at({300.0F, 400.0F});
+    const renderer::Camera before = model().view().camera;
+    key("F6");
+    for (int i = 0; i < 5; ++i) key("Down");
+    EXPECT_EQ(model().view().camera.position_m, before.position_m);
+    EXPECT_EQ(model().view().camera.target_m, before.target_m);
+    key("Escape");
+    key("Down");
+    EXPECT_NE(model().view().camera.target_m, before.target_m);
+}
+
+TEST_F(ExplorerDriven, PanelsLookTheSameWhileOneFlies) {
+    ASSERT_TRUE(wait_for_images());
+    point_at({300.0F, 400.0F});
+    // What is above the error's panel, that changes.
+    const auto panel = [this] {
+        const stimuli::RgbImage screen = display_.screen();
+        std::vector<std::uint8_t> seen;
+        for (int y = 30; y < 300; ++y) {
+            const auto row = screen.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * 1280);
+            seen.insert(seen.end(), row + 3 * 920, row + 3 * 1280);
+        }
+        return seen;
+    };
+    // From a view without a name, that the panel would show.
+    key("Right");
+    frames(3);
+    const auto standing = panel();
+    display_.tool({"xdotool", "keydown", "Right"});
+    frames(6);
+    const auto flying = panel();
+    display_.tool({"xdotool", "keyup", "Right"});
+    EXPECT_EQ(flying, standing);
+    frames(3);
+    EXPECT_EQ(panel(), standing);
+}
+
 TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
     ASSERT_TRUE(wait_for_images());
     const auto scene = model().scene();
@@ -247,7 +304,7 @@ TEST_F(ExplorerDriven, WhatIsNoSceneIsSaidAndLosesNothing) {
 TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
     ASSERT_TRUE(wait_for_images());
     const char* long_run = std::getenv("OBSCURA_MONKEY_EVENTS");
-    const int events = long_run != nullptr ? std::atoi(long_run) : 300;
+    const int events = long_run != nullptr ? std::atoi(long_run) : 1000;
     base::Random random(42);
     GLFWwindow* const handle = explorer_->window().handle();
     // The very callbacks that GLFW calls, the explorer's own and Dear ImGui's behind them.
@@ -255,6 +312,8 @@ TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
     const GLFWmousebuttonfun on_button = glfwSetMouseButtonCallback(handle, nullptr);
     const GLFWscrollfun on_wheel = glfwSetScrollCallback(handle, nullptr);
     const GLFWcharfun on_character = glfwSetCharCallback(handle, nullptr);
+    const GLFWdropfun on_drop = glfwSetDropCallback(handle, nullptr);
+    glfwSetDropCallback(handle, on_drop);
     static constexpr std::array kKeys{GLFW_KEY_W,       GLFW_KEY_A,       GLFW_KEY_S,
                                       GLFW_KEY_D,       GLFW_KEY_Q,       GLFW_KEY_E,
                                       GLFW_KEY_F,       GLFW_KEY_C,       GLFW_KEY_V,
@@ -267,6 +326,10 @@ TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
                                       GLFW_KEY_ESCAPE,  GLFW_KEY_HOME,    GLFW_KEY_EQUAL,
                                       GLFW_KEY_MINUS,   GLFW_KEY_PAGE_UP, GLFW_KEY_LEFT_CONTROL,
                                       GLFW_KEY_LEFT_ALT};
+    base::write_file_atomically(folder_ / "zeros.glb", std::string(1 << 16, '\0'));
+    const std::array dropped{(folder_ / "corner.glb").string(), (folder_ / "zeros.glb").string(),
+                             (folder_ / "gone.obj").string()};
+    int to_come = 0;
     for (int i = 0; i < events; ++i) {
         const int key = kKeys[random.below(kKeys.size())];
         switch (random.below(6)) {
@@ -288,9 +351,18 @@ TEST_F(ExplorerDriven, NoRandomInputBreaksTheWindow) {
                 glfwSetCursorPos(handle, random.uniform(-50.0, 1330.0),
                                  random.uniform(-50.0, 850.0));
         }
-        if (i % 100 == 50)
-            glfwSetWindowSize(handle, 1 + static_cast<int>(random.below(1280)),
-                              1 + static_cast<int>(random.below(800)));
+        if (i % 100 == 50) {
+            const bool least = i % 1000 == 950;
+            glfwSetWindowSize(handle, least ? 1 : 1 + static_cast<int>(random.below(1280)),
+                              least ? 1 : 1 + static_cast<int>(random.below(800)));
+        }
+        if (i % 250 == 100) {
+            const char* path = dropped[random.below(dropped.size())].c_str();
+            on_drop(handle, 1, &path);
+        }
+        // A slow frame has several.
+        if (to_come-- > 0) continue;
+        to_come = static_cast<int>(random.below(8));
         frames(1);
         ASSERT_EQ(model().layout(), model().layout().sane()) << i;
         ASSERT_TRUE(renderer::problems_of(model().choices().b).empty()) << i;

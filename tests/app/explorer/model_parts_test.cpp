@@ -121,11 +121,17 @@ TEST(ExplorerLayout, FlickerShowsAAndBInTurnAtItsRate) {
 }
 
 TEST(ExplorerLayout, ZoomStepsGoFromTheWholeImageToLargePixelsAndBack) {
-    float zoom = 0.0F;
-    for (int i = 0; i < 30; ++i) zoom = next_zoom(zoom, 1);
-    EXPECT_EQ(zoom, kMostZoom);
-    for (int i = 0; i < 30; ++i) zoom = next_zoom(zoom, -1);
-    EXPECT_EQ(zoom, 0.0F);
+    for (const float whole : {0.01F, 0.3F, 0.5F, 0.7F, 1.0F, 3.0F, kMostZoom}) {
+        float zoom = 0.0F;
+        for (int i = 0; i < 30; ++i) {
+            const float next = next_zoom(zoom, true, whole);
+            EXPECT_TRUE(next > std::max(zoom, whole) || next == kMostZoom) << whole;
+            zoom = next;
+        }
+        EXPECT_EQ(zoom, kMostZoom);
+        for (int i = 0; i < 30; ++i) zoom = next_zoom(zoom, false, whole);
+        EXPECT_EQ(zoom, 0.0F);
+    }
 }
 
 TEST(ExplorerScales, LightnessRisesAlongViridisAndFallsFromTheErrorsMiddle) {
