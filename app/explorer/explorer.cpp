@@ -204,7 +204,7 @@ void Explorer::draw(Desk& desk) {
 double Explorer::longest_wait_s() const {
     const bool lively =
         keys_held_ || view_.dragging() || model_.layout().arrangement == Arrangement::kFlicker;
-    if (lively) return kLivelyWait_s;
+    if (lively || frames_due_ > 0) return kLivelyWait_s;
     // The image at rest is asked for soon after the last change.
     if (has_gamepad() || model_.moving(window_.now_s())) return kSoonWait_s;
     return kIdleWait_s;
@@ -215,6 +215,8 @@ bool Explorer::step() {
     const bool shares = software_ && renderer_.busy() && !renderer_.has_answers();
     window_.begin_frame(longest_wait_s(), shares ? frame_s_ + kWindowEvery_s : 0.0,
                         [this] { return renderer_.has_answers(); });
+    // A window that is asked for is there in the second frame, and has the keys in the third.
+    frames_due_ = window_.pressed() ? 3 : std::max(0, frames_due_ - 1);
     const std::optional<double> first_input_s = window_.first_input_s();
     const double now_s = window_.now_s();
     take_results();

@@ -86,6 +86,7 @@ class Explorer {
     Opener opener_;
     bool software_ = true;
     bool keys_held_ = false;
+    int frames_due_ = 0;                          ///< that wait for nothing
     std::optional<PanelPlace> side_panel_;        ///< as it was drawn last
     double frame_s_ = 0.0;                        ///< when the last one began
     std::optional<renderer::Camera> own_camera_;  ///< of the study, for the scene being opened

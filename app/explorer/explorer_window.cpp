@@ -39,6 +39,7 @@ struct ExplorerWindow::Callbacks {
     }
     static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
         note_input(window);
+        of(window).pressed_ |= action == GLFW_PRESS;
         if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) {
             of(window).presses_.push_back({key, modifiers});
         }
@@ -46,6 +47,7 @@ struct ExplorerWindow::Callbacks {
     static void pointer(GLFWwindow* window, double, double) { note_input(window); }
     static void button(GLFWwindow* window, int, int action, int) {
         note_input(window);
+        of(window).pressed_ |= action == GLFW_PRESS;
         // Without a window manager a click alone brings no window to the keys.
         if (action == GLFW_PRESS && glfwGetWindowAttrib(window, GLFW_FOCUSED) != GLFW_TRUE) {
             glfwFocusWindow(window);
@@ -224,6 +226,7 @@ void ExplorerWindow::end_frame(const std::optional<PanelPlace>& kept) {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     first_input_s_.reset();
+    pressed_ = false;
 }
 
 bool ExplorerWindow::is_lost() const {

@@ -55,6 +55,9 @@ class ExplorerWindow {
     /// When the first input came that no frame has shown yet; nothing: none did.
     [[nodiscard]] std::optional<double> first_input_s() const { return first_input_s_; }
 
+    /// Whether a key or button went down that no frame has shown yet.
+    [[nodiscard]] bool pressed() const { return pressed_; }
+
     /// Whether the driver was reset, so that nothing can be drawn in this window any more.
     [[nodiscard]] bool is_lost() const;
     /// Says so from now on: for those who have no driver that resets.
@@ -86,6 +89,7 @@ class ExplorerWindow {
     std::vector<Press> presses_;  ///< since the last frame
     std::vector<int> shown_;      ///< keys that are down for this frame alone
     std::optional<double> first_input_s_;
+    bool pressed_ = false;
     bool told_lost_ = false;
 };
 

@@ -179,7 +179,7 @@ Picture picture_of(const Shot& shot, const Truth* truth, const std::string& laye
                    const Layout& layout) {
     if (layer == layer::kImage) return {{shot.width, shot.height, shot.rgb}, {}, ""};
     if (needs_buffers(layer) && shot.buffers.channels.empty()) {
-        return missing("Not while something moves.");
+        return missing("Comes with the image at full size.");
     }
     if (needs_truth(layer)) {
         const bool known =

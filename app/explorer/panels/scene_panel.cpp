@@ -25,18 +25,32 @@ void source_menu(Desk& desk) {
     if (chosen) desk.orders.open = *chosen;
 }
 
+/// Whether the view and the pair are the condition's.
+[[nodiscard]] bool is_seen(const Model& model, const stimuli::Condition& condition) {
+    const Choices& choices = model.choices();
+    if (!(condition.a == choices.a) || !(condition.b == choices.b)) return false;
+    const stimuli::StudyScene& scene = model.study()->study.scene_of(condition);
+    if (scene.source != choices.scene.source || scene.validity != choices.scene.validity) {
+        return false;
+    }
+    return scene.settings.camera ? same_view(*scene.settings.camera, model.view().camera)
+                                 : scene.camera == model.view().name;
+}
+
 void condition_menu(Desk& desk) {
     if (!desk.model.study()) return;
     const stimuli::Study& study = desk.model.study()->study;
     std::vector<std::string> ids;
     std::vector<std::string> meanings;
+    std::string now = "choose";
     for (const stimuli::Condition& condition : study.conditions) {
+        if (is_seen(desk.model, condition)) now = condition.id;
         ids.push_back(condition.id);
         meanings.push_back(fmt::format("{}: {} against {}", condition.scene,
                                        condition.a.variant_name(), condition.b.variant_name()));
     }
     const auto chosen = choice_field(desk, "condition", "Shows a pair of the study " + study.name,
-                                     ids, "choose", meanings);
+                                     ids, now, meanings);
     if (chosen) desk.orders.condition = *chosen;
 }
 
