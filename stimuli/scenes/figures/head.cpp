@@ -300,7 +300,7 @@ void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& t
         const glm::vec3 q = (p - at.origin_m) * at.axes / scale;
         return glm::length(q) < 0.25F ? complexion_at(q, traits) : glm::vec3(1.0F);
     };
-    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0019F, 0.06F);
+    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0021F, 0.06F);
     HeadModel head(skin.solid, at, scale, traits);
     head.skull();
     head.brow_and_sockets();
