@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/frame/explain.h"
+
 namespace obscura::app::explorer {
 
 std::string cost_text(const Model& model, const std::string& device) {
@@ -23,6 +25,10 @@ std::string cost_text(const Model& model, const std::string& device) {
         const auto shot = model.buffers(side);
         if (!shot) continue;
         text += fmt::format("  fetches {:14} {:9} a pixel\n", "", shot->fetches);
+        for (const renderer::PlannedTarget& target : shot->buffers_planned) {
+            text += fmt::format("  buffer  {:14} {:9} bytes  {}\n", target.name, target.bytes,
+                                renderer::form_of(target));
+        }
         text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", shot->bytes);
         for (const renderer::LeftOut& one : shot->left_out) {
             text += fmt::format("  without {}: {}\n", one.what, one.why);

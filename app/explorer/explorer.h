@@ -61,6 +61,8 @@ class Explorer {
     /// That a frame waits for something to happen.
     [[nodiscard]] double longest_wait_s() const;
     void take_results();
+    /// Once everything is at rest with a new scene.
+    void give_back_memory();
     /// What was measured for the scene may have come since.
     void read_fitted();
     void ask_for_work();
@@ -92,6 +94,7 @@ class Explorer {
     std::optional<renderer::Camera> own_camera_;  ///< of the study, for the scene being opened
     bool waiting_image_ = false;                  ///< to be saved once it is as good as it gets
     bool waiting_buffers_ = false;
+    bool scene_is_new_ = false;         ///< since everything was at rest
     double truth_s_ = 0.0;              ///< when the truth was looked at last
     std::vector<Answered> unanswered_;  ///< inputs that no rendered image shows yet
     std::vector<Answered> answered_;

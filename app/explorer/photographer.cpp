@@ -153,6 +153,7 @@ Shot Photographer::take(const ShotRequest& request, char side,
         }
     }
     shot.times = renderer::by_name(frame.times);
+    shot.buffers_planned = frame.plan().targets;
     shot.bytes = frame.plan().bytes();
     shot.left_out = frame.plan().left_out;
     shot.fetches = renderer::fetches_per_pixel(variant);

@@ -62,7 +62,8 @@ struct Shot {
     std::vector<float> emission;    ///< three a pixel; empty where there is none
     std::vector<OwnBuffer> own;
     std::vector<renderer::PassTime> times;  ///< passes as people are told of them; 0 where untimed
-    std::size_t bytes = 0;                  ///< of the plan's buffers
+    std::vector<renderer::PlannedTarget> buffers_planned;
+    std::size_t bytes = 0;  ///< of the plan's buffers
     std::vector<renderer::LeftOut> left_out;
     int fetches = 0;          ///< a pixel, of technique and filter
     double milliseconds = 0;  ///< of everything: passes and reading back

@@ -182,7 +182,13 @@ StudyWritten write_into_study(const Model& model, const StudyEntry& entry) {
         throw base::bad_input("{} has changed on disk just now; nothing is written",
                               entry.file.string());
     }
-    base::write_file_atomically(real.file, changed);
+    try {
+        base::write_file_atomically(real.file, changed);
+    } catch (const base::Error& refused) {
+        throw base::failure(
+            "{}; nothing is changed, and allowed is a folder that may be written and has room",
+            refused.what());
+    }
     if (mode != fs::perms::unknown) fs::permissions(real.file, mode, error);
     StudyWritten written;
     written.text_sha256 = base::sha256_hex(changed);

@@ -14,6 +14,12 @@ bool is_taken_over(const Frame& frame, Phase phase) {
                        [phase](const PassTime& time) { return time.phase == phase; });
 }
 
+std::string form_of(const PlannedTarget& target) {
+    return fmt::format("{} {}x{}{}{}", target.format, target.width, target.height,
+                       target.layers > 1 ? fmt::format("x{}", target.layers) : "",
+                       target.levels > 1 ? fmt::format(", {} levels", target.levels) : "");
+}
+
 std::string explanation_of(const Frame& frame, const std::string& known_from) {
     const FramePlan& plan = frame.plan();
     std::string text;
@@ -24,10 +30,8 @@ std::string explanation_of(const Frame& frame, const std::string& known_from) {
     }
     text += fmt::format("  passes  {:14} {:9.2f} ms\n", "in all", frame.milliseconds());
     for (const PlannedTarget& target : plan.targets) {
-        text += fmt::format("  buffer  {:14} {:9} bytes  {} {}x{}{}{}\n", target.name, target.bytes,
-                            target.format, target.width, target.height,
-                            target.layers > 1 ? fmt::format("x{}", target.layers) : "",
-                            target.levels > 1 ? fmt::format(", {} levels", target.levels) : "");
+        text += fmt::format("  buffer  {:14} {:9} bytes  {}\n", target.name, target.bytes,
+                            form_of(target));
     }
     text += fmt::format("  buffers {:14} {:9} bytes\n", "in all", plan.bytes());
     for (const LeftOut& left_out : plan.left_out) {

@@ -12,6 +12,9 @@ namespace obscura::renderer {
 /// `known_from` is said of the passes whose results, and times, were taken over.
 [[nodiscard]] std::string explanation_of(const Frame& frame, const std::string& known_from = "");
 
+/// Format and size of a buffer: `r32f 1280x720x4, 3 levels`.
+[[nodiscard]] std::string form_of(const PlannedTarget& target);
+
 /// Whether the results of the passes of that phase were taken over.
 [[nodiscard]] bool is_taken_over(const Frame& frame, Phase phase);
 

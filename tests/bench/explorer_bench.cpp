@@ -5,7 +5,7 @@
 // takes to its first image, and the memory after each. A pointer that moves sixty times a second
 // and keys that are held come in by the X server, as from a hand: the display that DISPLAY names,
 // where it is set, else one of its own (Xvfb with openbox).
-//   explorer_bench [SECONDS] [SCENE...]
+//   explorer_bench [SECONDS] [SCENE...]     SECONDS 0: only opening and memory
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 // After epoxy, which brings the OpenGL declarations.
@@ -337,7 +337,7 @@ int main(int argc, char** argv) {
                 explorer.step();
             }
             const double first_s = ExplorerWindow::now_s() - began_s;
-            if (round == 1) at_each_level(explorer, seconds);
+            if (round == 1 && seconds > 0.0) at_each_level(explorer, seconds);
             steps_until_rest(explorer);
             fmt::print("{:10} round {}: first image after {:.2f} s, {:.0f} MB resident\n", scene,
                        round, first_s, resident_MB());

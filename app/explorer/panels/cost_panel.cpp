@@ -8,6 +8,7 @@
 
 #include "app/explorer/cost_text.h"
 #include "app/explorer/fields.h"
+#include "renderer/frame/explain.h"
 
 namespace obscura::app::explorer {
 namespace {
@@ -38,6 +39,21 @@ void passes(const Desk& desk, char side) {
     ImGui::Text("in all %.2f ms", sum);
 }
 
+void buffers(const Shot& shot) {
+    if (!ImGui::BeginTable("buffers", 3, ImGuiTableFlags_RowBg)) return;
+    for (const renderer::PlannedTarget& target : shot.buffers_planned) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(target.name.c_str());
+        tooltip(renderer::form_of(target));
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(target.format.c_str());
+        ImGui::TableNextColumn();
+        ImGui::Text("%.2f MB", static_cast<double>(target.bytes) / 1e6);
+    }
+    ImGui::EndTable();
+}
+
 void of_side(Desk& desk, char side) {
     const auto shot = desk.model.buffers(side);
     ImGui::PushID(side);
@@ -48,6 +64,10 @@ void of_side(Desk& desk, char side) {
     if (shot) {
         ImGui::Text("%d fetches a pixel, buffers %.1f MB", shot->fetches,
                     static_cast<double>(shot->bytes) / 1e6);
+        if (ImGui::TreeNode("buffers")) {
+            buffers(*shot);
+            ImGui::TreePop();
+        }
         if (ImGui::TreeNode("left out")) {
             ImGui::PushTextWrapPos(0.0F);
             for (const renderer::LeftOut& one : shot->left_out) {

@@ -20,7 +20,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 float crest(float phase) {
     const float part = phase - std::floor(phase);
     const float wave = 0.5F - 0.5F * std::cos(2.0F * kPi * part);
-    return wave * (2.0F - wave) * 0.75F + 0.25F * wave - 0.5F;
+    return wave * (2.0F - wave) * 0.30F + 0.70F * wave - 0.5F;
 }
 
 float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, std::uint32_t seed) {
@@ -43,7 +43,7 @@ float fold_height(const TubePoint& at, const std::vector<FoldCentre>& centres, s
         const float left = crest(step + slant + 0.35F * turn / kPi);
         const float right = crest(0.83F * step - slant + 0.35F * turn / kPi + 0.4F);
         const float over = left - right;
-        const float both = 0.5F * (left + right + std::sqrt(over * over + 0.04F)) - 0.18F;
+        const float both = 0.5F * (left + right + std::sqrt(over * over + 0.12F)) - 0.22F;
         // No fold runs all the way round: each fades where the noise says so.
         const float broken = std::clamp(0.70F + 1.1F * patchy + 0.4F * side, 0.0F, 1.15F);
         const float strength =
@@ -154,7 +154,7 @@ void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const gl
     figure.soles.push_back({put(0, 0, -0.034F), put(0.002F, 0, 0.160F), scale * 0.040F});
     // Laces cross the instep.
     const glm::vec3 into = at.axes * glm::normalize(glm::vec3(0.0F, -0.75F, -0.66F));
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 4; ++i) {
         const float t = static_cast<float>(i) / 5.0F;
         const float y = 0.100F + 0.075F * t;
         const float z = 0.105F - 0.050F * t;

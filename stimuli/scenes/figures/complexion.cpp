@@ -23,7 +23,7 @@ float brow_cover(const glm::vec3& q, float weight) {
     const float x = std::abs(q.x);
     const float t = (x - 0.0125F) / (0.0560F - 0.0125F);
     if (t < -0.1F || t > 1.1F) return 0.0F;
-    const float middle = 0.0130F + 0.0100F * std::sin(2.35F * std::clamp(t, 0.0F, 1.0F)) -
+    const float middle = 0.0142F + 0.0080F * std::sin(2.35F * std::clamp(t, 0.0F, 1.0F)) -
                          0.0045F * ramp(0.6F, 1.0F, t);
     const float half = weight * (0.0046F - 0.0030F * ramp(0.40F, 1.0F, t));
     // Hairs lie along the brow, upwards near the nose.
@@ -31,8 +31,8 @@ float brow_cover(const glm::vec3& q, float weight) {
     const float hairs =
         gradient_noise(glm::vec3(x * 300.0F - q.y * 500.0F, q.y * 900.0F, 0.0F), 45);
     const float edge = 1.0F - std::abs(across) + 0.45F * hairs;
-    return ramp(-0.10F, 0.40F, edge) * ramp(-0.06F, 0.14F, t) * ramp(1.06F, 0.80F, t) *
-           (0.78F + 0.22F * hairs);
+    return ramp(-0.12F, 0.28F, edge) * ramp(-0.06F, 0.14F, t) * ramp(1.06F, 0.80F, t) *
+           (0.86F + 0.14F * hairs);
 }
 
 /// How much of the skin hair covers at its roots: soft, since no two hairs begin in one line.

@@ -194,17 +194,17 @@ void HeadModel::mouth() {
         }
         return strip(knots, 5);
     };
-    solid_.add(line({{0.0245F, -0.0716F, -0.0010F, 0.0020F},
-                     {0.0150F, -0.0692F, -0.0006F, 0.80F * upper},
+    solid_.add(line({{0.0245F, -0.0704F, -0.0010F, 0.0019F},
+                     {0.0150F, -0.0688F, -0.0006F, 0.80F * upper},
                      {0.0055F, -0.0668F, -0.0002F, upper},
                      {0.0F, -0.0677F, -0.0004F, 0.95F * upper}}),
                lip);
-    solid_.add(line({{0.0235F, -0.0724F, -0.0012F, 0.0020F},
+    solid_.add(line({{0.0235F, -0.0714F, -0.0012F, 0.0019F},
                      {0.0130F, -0.0754F, -0.0010F, 0.84F * lower},
                      {0.0F, -0.0768F, -0.0008F, lower}}),
                lip);
-    solid_.carve(line({{0.0258F, -0.0722F, 0.0006F, 0.0011F},
-                       {0.0145F, -0.0714F, 0.60F * upper, 0.0012F},
+    solid_.carve(line({{0.0258F, -0.0708F, 0.0006F, 0.0011F},
+                       {0.0145F, -0.0711F, 0.60F * upper, 0.0012F},
                        {0.0050F, -0.0709F, 0.78F * upper, 0.0012F},
                        {0.0F, -0.0717F, 0.80F * upper, 0.0012F}}),
                  {scale_ * 0.0026F, traits_.lip * glm::vec3(0.34F, 0.28F, 0.28F), true});
@@ -300,7 +300,7 @@ void add_head(Figure& figure, const Placed& at, float scale, const FaceTraits& t
         const glm::vec3 q = (p - at.origin_m) * at.axes / scale;
         return glm::length(q) < 0.25F ? complexion_at(q, traits) : glm::vec3(1.0F);
     };
-    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0019F, 0.06F);
+    FigurePart& skin = figure.part("head", Cloth::kSkin, 0.0021F, 0.06F);
     HeadModel head(skin.solid, at, scale, traits);
     head.skull();
     head.brow_and_sockets();

@@ -24,7 +24,7 @@ const glm::vec3 kHipLeft{0.092F, 0.925F, 0.000F}, kKneeLeft{0.150F, 0.500F, 0.06
 const glm::vec3 kShoulderRight{-0.188F, 1.452F, -0.015F}, kElbowRight{-0.272F, 1.172F, -0.045F},
     kWristRight{-0.275F, 0.930F, 0.050F};
 const glm::vec3 kShoulderLeft{0.188F, 1.452F, -0.015F}, kElbowLeft{0.282F, 1.190F, 0.005F},
-    kWristLeft{0.165F, 1.275F, 0.178F};
+    kWristLeft{0.202F, 1.268F, 0.172F};
 
 glm::vec3 along(const glm::vec3& a, const glm::vec3& b, float t) { return a + (b - a) * t; }
 
@@ -73,8 +73,8 @@ void add_sleeve(Sculpture& jacket, Sculpture& cuffs, const Placed& at, const glm
                          seed)),
         {0.022F, kJacketColour, true});
     // The cuff is finer than the jacket's cells: a mesh of its own.
-    const Curve band = make_curve({{p(along(elbow, wrist, 0.80F)), 0.041F, 0.0F},
-                                   {p(along(elbow, wrist, 0.95F)), 0.037F, 0.0F}},
+    const Curve band = make_curve({{p(along(elbow, wrist, 0.80F)), 0.0450F, 0.0F},
+                                   {p(along(elbow, wrist, 0.96F)), 0.0415F, 0.0F}},
                                   4, at.axes[2]);
     cuffs.add(tube(band), {0.0F, kJacketColour * 0.7F, true});
 }
@@ -136,7 +136,7 @@ Sculpture add_jacket(Figure& man, const Placed& at, const Sculpture& core) {
                     (0.0055F * waist * rolls * (0.6F + 0.8F * std::abs(warp)) + 0.0035F * drape);
          },
          0.010F});
-    man.part("jacket", Cloth::kJacket, 0.0070F, 0.10F).solid = jacket;
+    man.part("jacket", Cloth::kJacket, 0.0073F, 0.10F).solid = jacket;
     add_placket_and_pockets(man, at, jacket);
     add_collar(man, at, jacket,
                {.neck_m = {0.0F, 1.562F, -0.014F},
@@ -196,7 +196,7 @@ Sculpture add_trousers(Figure& man, const Placed& at) {
            {0.006F, kTrouserColour, false});
     add_leg(s, at, kHipRight, kKneeRight, kAnkleRight, 303);
     add_leg(s, at, kHipLeft, kKneeLeft, kAnkleLeft, 404);
-    // Cargo pockets with flaps, outside on the thighs; a fly and slant pockets.
+    // Cargo pockets with flaps, outside on the thighs; slant pockets.
     for (const float x : kSides) {
         const glm::vec3 hip = x < 0.0F ? kHipRight : kHipLeft;
         const glm::vec3 knee = x < 0.0F ? kKneeRight : kKneeLeft;
@@ -213,11 +213,6 @@ Sculpture add_trousers(Figure& man, const Placed& at) {
                                 4, at.axes[2])),
                 {0.006F, kTrouserColour, false});
     }
-    s.add(tube(make_curve({{at(0.004F, 0.985F, 0.118F), 0.004F, 0.014F},
-                           {at(0.003F, 0.92F, 0.118F), 0.004F, 0.014F},
-                           {at(0.0F, 0.865F, 0.085F), 0.004F, 0.006F}},
-                          5, at.axes[2])),
-          {0.006F, kTrouserColour, true});
     s.displace({[at](const glm::vec3& world) {
                     const glm::vec3 p = (world - at.origin_m) * at.axes;
                     // Tension folds run from the crotch out to the hips.
@@ -363,7 +358,7 @@ Figure make_man(const Placed& at) {
              kLeatherColour * 0.9F);
     add_boot(man, boots, at, kAnkleLeft, kKneeLeft, {0.38F, 1.0F}, 1.06F, kShaft,
              kLeatherColour * 0.9F);
-    FigurePart& worn = man.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    FigurePart& worn = man.part("boots", Cloth::kLeather, 0.0061F, 0.12F);
     worn.solid = std::move(boots);
     worn.painted_shade = 0.4F;
     add_hands(man, at, kSkinColour);

@@ -131,7 +131,6 @@ Sculpture add_vest(Figure& woman, const Placed& at, const Sculpture& core) {
     body.add(grown(as_shape(core), 0.0150F), {0.0F, kVestColour, true});
     body.keep(half_space(at(0.0F, 1.015F, 0.0F), glm::vec3(0.0F, -1.0F, 0.0F)),
               {0.004F, {}, false});
-    body.carve(grown(as_shape(core), -0.015F), {0.0F, kVestColour, false});
     // Armholes, neck and the open front, which widens downwards.
     for (const float x : kSides) {
         body.carve(ellipsoid(at(x * 0.192F, 1.342F, -0.010F), {0.072F, 0.112F, 0.100F}, at.axes),
@@ -204,11 +203,6 @@ Sculpture add_trousers(Figure& woman, const Placed& at) {
                                 5, at.axes[2])),
                 {0.005F, kTrouserColour, false});
     }
-    s.add(tube(make_curve({{at(0.004F, 0.935F, 0.112F), 0.004F, 0.012F},
-                           {at(0.003F, 0.88F, 0.108F), 0.004F, 0.012F},
-                           {at(0.0F, 0.83F, 0.080F), 0.004F, 0.006F}},
-                          5, at.axes[2])),
-          {0.006F, kTrouserColour, true});
     s.displace({[at](const glm::vec3& world) {
                     const glm::vec3 p = (world - at.origin_m) * at.axes;
                     const float seat = std::exp(-std::pow((p.y - 0.815F) / 0.050F, 2.0F));
@@ -309,7 +303,7 @@ Figure make_woman(const Placed& at) {
     add_boot(woman, boots, at, kAnkleRight, kKneeRight, {-0.42F, 1.0F}, 0.92F, kShaft,
              kLeatherColour);
     add_boot(woman, boots, at, kAnkleLeft, kKneeLeft, {0.25F, 1.0F}, 0.92F, kShaft, kLeatherColour);
-    FigurePart& worn = woman.part("boots", Cloth::kLeather, 0.0056F, 0.12F);
+    FigurePart& worn = woman.part("boots", Cloth::kLeather, 0.0061F, 0.12F);
     worn.solid = std::move(boots);
     worn.painted_shade = 0.4F;
     add_arms(woman, at, kSkinColour);

@@ -81,7 +81,35 @@ void put_ivy(Assembly& garden, const glm::mat4& place, float length, int leaves,
     }
 }
 
-/// Crowns of trees behind the wall: sprigs on a few large balls.
+/// A trunk and its boughs, each with branches, as far as the leaves.
+void put_boughs(Assembly& garden, const vec3& centre, float radius_m, base::Random& random) {
+    const vec3 bark(0.20F, 0.16F, 0.12F);
+    const vec3 foot(centre.x, 0.0F, centre.z);
+    const vec3 fork = centre - vec3(0.0F, 0.55F * radius_m, 0.0F);
+    garden.put(Surface::kWood, rod(foot, fork, 0.075F, 9), glm::mat4(1.0F), 110U, bark);
+    for (int i = 0; i < 9; ++i) {
+        const float turn = 0.7F * static_cast<float>(i) + draw(random, -0.3F, 0.3F);
+        const float up = draw(random, 0.1F, 0.95F);
+        const vec3 way = glm::normalize(vec3(std::sin(turn), 1.4F * up, std::cos(turn)));
+        const vec3 middle = fork + way * (0.55F * radius_m);
+        const vec3 end =
+            middle +
+            glm::normalize(way + vec3(0.0F, draw(random, -0.2F, 0.5F), 0.0F)) * (0.55F * radius_m);
+        garden.put(Surface::kWood, rod(fork, middle, 0.030F, 7), glm::mat4(1.0F), 111U, bark);
+        garden.put(Surface::kWood, rod(middle, end, 0.017F, 6), glm::mat4(1.0F), 112U, bark);
+        for (int k = 0; k < 5; ++k) {
+            const vec3 from = glm::mix(middle, end, 0.2F * static_cast<float>(k));
+            const vec3 aside(draw(random, -1.0F, 1.0F), draw(random, -0.3F, 0.7F),
+                             draw(random, -1.0F, 1.0F));
+            garden.put(
+                Surface::kWood,
+                rod(from, from + glm::normalize(way + aside) * (0.38F * radius_m), 0.008F, 5),
+                glm::mat4(1.0F), 113U, bark);
+        }
+    }
+}
+
+/// Trees behind the wall: sprigs on a few large balls, darker ones within, on boughs.
 void put_trees(Assembly& garden) {
     base::Random random(97);
     struct Crown {
@@ -99,22 +127,23 @@ void put_trees(Assembly& garden) {
                                        {{8.2F, 4.4F, -6.0F}, 2.2F}}};
     const Mesh sprig = card(1.0F, 0.95F, 0.7F, 0.2F, 1);
     for (const Crown& crown : crowns) {
-        const int sprigs = static_cast<int>(400.0F * crown.radius_m * crown.radius_m);
+        put_boughs(garden, crown.centre_m, crown.radius_m, random);
+        const int sprigs = static_cast<int>(520.0F * crown.radius_m * crown.radius_m);
         for (int i = 0; i < sprigs; ++i) {
             const float up = draw(random, -1.0F, 1.0F);
             const float turn = draw(random, 0.0F, 6.2832F);
             const float flat = std::sqrt(1.0F - up * up);
             const vec3 way(flat * std::sin(turn), up, flat * std::cos(turn));
             const float lumpy = 0.85F + 0.3F * fbm(way * 2.2F + crown.centre_m, 98, 3);
-            const float far_out = draw(random, 0.72F, 1.0F);
+            const float far_out = draw(random, i % 4 == 0 ? 0.35F : 0.72F, 1.0F);
             const auto own = static_cast<std::uint32_t>(random.below(1U << 20U));
             const glm::mat4 place = moved(crown.centre_m + way * crown.radius_m * far_out * lumpy) *
                                     about_y(turn + draw(random, -0.8F, 0.8F)) *
                                     about_x(draw(random, 0.5F, 2.2F)) *
                                     glm::scale(glm::mat4(1.0F), vec3(draw(random, 0.20F, 0.36F)));
-            garden.put_mapped(
-                Surface::kTwig, sprig, place,
-                shade_of(own, 0.45F) * glm::mix(0.5F, 1.0F, (far_out - 0.72F) / 0.28F));
+            garden.put_mapped(Surface::kTwig, sprig, place,
+                              shade_of(own, 0.45F) *
+                                  glm::mix(0.5F, 1.0F, std::max(0.0F, (far_out - 0.72F) / 0.28F)));
         }
     }
 }

@@ -174,18 +174,18 @@ void put_terminals(Assembly& hall) {
              {edge + 0.012F, block - 0.010F, from.z - 0.27F - 0.03F * n},
              {edge + 0.055F, 0.060F, from.z - 0.33F - 0.03F * n},
              {edge + 0.120F, 0.015F, from.z - 0.45F - 0.05F * n},
-             {1.97F + 0.05F * n, 0.014F, -0.95F + 0.04F * n},
-             {1.92F + 0.085F * n, 0.014F, -1.26F},
-             {2.03F + 0.06F * n, 0.050F, -1.53F}}};
+             {1.92F + 0.05F * n, 0.014F, -0.93F + 0.04F * n},
+             {1.78F + 0.08F * n, 0.014F, -1.25F},
+             {1.85F + 0.06F * n, 0.050F, -1.53F}}};
         hall.put(Surface::kRubber, slack_cable(run, 0.0125F, 10), glm::mat4(1.0F), 544U);
         const std::array<vec2, 5> collar{
             {{0.0F, 0.0F}, {0.024F, 0.0F}, {0.024F, 0.020F}, {0.017F, 0.034F}, {0.0F, 0.034F}}};
         hall.put(Surface::kBrass, revolve(collar, 6, 0.3F),
-                 moved(2.03F + 0.06F * n, 0.050F, -1.492F) * lie_along_z(), 546U);
+                 moved(1.85F + 0.06F * n, 0.050F, -1.492F) * lie_along_z(), 546U);
     }
     // Where they go into the cabinet's plinth.
     hall.put(Surface::kZinc, bevelled_box({0.20F, 0.075F, 0.012F}, 0.003F),
-             moved(2.09F, 0.050F, -1.495F), 547U);
+             moved(1.91F, 0.050F, -1.495F), 547U);
     hall.put(Surface::kBrass, bevelled_box({0.004F, 0.05F, 0.10F}, 0.001F),
              place * moved(0.092F, 0.0F, 0.0F) * moved(0.0F, 0.03F, 0.0F), 545U);
 }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
 #include "app/explorer/model.h"
+#include "app/explorer/cost_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -220,6 +222,28 @@ TEST(ExplorerModel, CostsAreMediansOfTheImagesOfOneSetting) {
     EXPECT_EQ(model.next_request(2.0, false)->request.quality, Quality::kStill);
     EXPECT_TRUE(model.next_request(2.0, false));
     EXPECT_FALSE(model.next_request(2.0, false));
+}
+
+TEST(ExplorerModel, TheCostAsTextHasEveryPassBufferAndOmission) {
+    Model model = made_model();
+    answer(model, model.next_request(0.0, false)->request, 0.0);
+    Shot shot = made_shot(model.next_request(1.0, false)->request, 'a');
+    renderer::PlannedTarget target;
+    target.name = "depth chain";
+    target.format = "r32f";
+    target.width = 640;
+    target.height = 360;
+    target.levels = 5;
+    target.bytes = 1'227'600;
+    shot.buffers_planned = {target};
+    shot.bytes = target.bytes;
+    shot.left_out = {{"shadow", "the scene has no directional light"}};
+    model.rendered(std::move(shot), 1.0);
+    const std::string text = cost_text(model, "a card");
+    for (const char* part : {"a card", "geometry", "depth chain", "1227600 bytes",
+                             "r32f 640x360, 5 levels", "without shadow: the scene has no"}) {
+        EXPECT_THAT(text, testing::HasSubstr(part));
+    }
 }
 
 /// Random events, some of them with numbers that are none.

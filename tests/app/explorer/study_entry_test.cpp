@@ -164,7 +164,8 @@ TEST_F(ExplorerStudy, AFullDiskLosesNothingAndIsSaid) {
     const std::string message = refusal(shown(), entry());
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     std::signal(SIGXFSZ, on_signal);
-    EXPECT_THAT(message, AllOf(HasSubstr("mine.toml"), HasSubstr("File too large")));
+    EXPECT_THAT(message, AllOf(HasSubstr("mine.toml"), HasSubstr("File too large"),
+                               HasSubstr("allowed is a folder that may be written and has room")));
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
         << "something is left beside the study";
     (void)write_into_study(shown(), entry());
