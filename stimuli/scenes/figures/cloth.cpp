@@ -151,7 +151,6 @@ void add_boot(Figure& figure, Sculpture& leather, const Placed& person, const gl
     slab(-0.072F, 0.008F, 0.0F, 0.0095F, 0.0F, 0.42F);
     slab(0.050F, 0.200F, 0.0F, 0.0095F, -0.001F, 0.42F);
     figure.overlaid.push_back({"sole", Cloth::kLeather, 0.12F, std::move(sole)});
-    figure.soles.push_back({put(0, 0, -0.034F), put(0.002F, 0, 0.160F), scale * 0.040F});
     // Laces cross the instep.
     const glm::vec3 into = at.axes * glm::normalize(glm::vec3(0.0F, -0.75F, -0.66F));
     for (int i = 0; i < 4; ++i) {

@@ -68,16 +68,8 @@ struct Overlaid {
     renderer::Mesh mesh;
 };
 
-/// What stands on the ground: from heel to toe.
-struct Sole {
-    glm::vec3 heel_m{0.0F};
-    glm::vec3 toe_m{0.0F};
-    float radius_m = 0.04F;
-};
-
 struct Figure {
     std::string name;
-    std::vector<Sole> soles;
     std::vector<FigurePart> parts;
     std::vector<Overlaid> overlaid;
     std::vector<Eye> eyes;
@@ -222,9 +214,6 @@ void add_materials(renderer::Scene& scene);
 
 /// Floor and low wall.
 void add_surroundings(renderer::Scene& scene);
-
-/// Darkens the floor where people stand on it, as their own colours are in their folds.
-void paint_contact(renderer::Scene& scene, const std::vector<Sole>& soles);
 
 /// The front of a house across the street behind them.
 void add_backdrop(renderer::Scene& scene);

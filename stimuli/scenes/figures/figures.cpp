@@ -24,25 +24,17 @@ renderer::Scene build() {
     renderer::Scene man;
     renderer::Scene woman;
     renderer::Scene scene;
-    std::vector<figures::Sole> soles_of_man;
-    std::vector<figures::Sole> soles_of_woman;
     for_each_row(3, [&](int which) {
         if (which == 0) {
-            const auto person = figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F));
-            soles_of_man = person.soles;
-            figures::add_to_scene(man, person);
+            figures::add_to_scene(man, figures::make_man(turned({-0.36F, 0.0F, 0.0F}, 0.18F)));
         } else if (which == 1) {
-            const auto person = figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F));
-            soles_of_woman = person.soles;
-            figures::add_to_scene(woman, person);
+            figures::add_to_scene(woman, figures::make_woman(turned({0.36F, 0.0F, 0.06F}, -0.20F)));
         } else {
             figures::add_materials(scene);
             figures::add_surroundings(scene);
             figures::add_backdrop(scene);
         }
     });
-    figures::paint_contact(scene, soles_of_man);
-    figures::paint_contact(scene, soles_of_woman);
     scene.name = "figures";
     for (renderer::Scene* person : {&woman, &man}) {
         scene.meshes.insert(scene.meshes.begin(), std::move_iterator(person->meshes.begin()),

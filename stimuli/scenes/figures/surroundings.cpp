@@ -217,23 +217,24 @@ void add_materials(renderer::Scene& scene) {
 
 void add_surroundings(renderer::Scene& scene) {
     renderer::Mesh ground;
-    // Its cells are small where people stand and large where nobody looks.
-    PatchOptions floor;
-    floor.columns = 150;
-    floor.rows = 150;
-    const auto spread = [](float t) { return 7.0F * t * (0.13F + 0.87F * t * t); };
-    ground = patch(floor, [&](float u, float v) {
-        const float x = spread(2.0F * u - 1.0F);
-        const float z = spread(1.0F - 2.0F * v);
-        const float far = std::max(0.0F, std::sqrt(x * x + z * z) - 1.2F);
-        return glm::vec3(x, std::min(1.0F, far) * 0.02F * fbm(glm::vec2(x, z) * 0.8F, 31, 3), z);
-    });
     ground.name = "ground";
     ground.material = static_cast<std::uint32_t>(Cloth::kGround);
-    for (renderer::Vertex& vertex : ground.vertices) {
-        vertex.uv = (glm::vec2(vertex.position_m.x, -vertex.position_m.z) + 7.0F) / 1.6F;
-    }
-    make_tangents(ground);
+    PatchOptions floor;
+    floor.columns = 40;
+    floor.rows = 40;
+    floor.size_m = {14.0F, 14.0F};
+    Placement tiles;
+    tiles.uv_scale = glm::vec2(1.0F / 1.6F);
+    append(ground,
+           patch(floor,
+                 [](float u, float v) {
+                     const float x = (u - 0.5F) * 14.0F;
+                     const float z = (0.5F - v) * 14.0F;
+                     const float far = std::max(0.0F, std::sqrt(x * x + z * z) - 1.2F);
+                     return glm::vec3(
+                         x, std::min(1.0F, far) * 0.02F * fbm(glm::vec2(x, z) * 0.8F, 31, 3), z);
+                 }),
+           tiles);
     // A low wall of blocks behind the two.
     renderer::Mesh wall;
     wall.name = "wall";
@@ -265,24 +266,6 @@ void add_surroundings(renderer::Scene& scene) {
     }
     scene.meshes.push_back(std::move(ground));
     scene.meshes.push_back(std::move(wall));
-}
-
-void paint_contact(renderer::Scene& scene, const std::vector<Sole>& soles) {
-    for (renderer::Mesh& mesh : scene.meshes) {
-        if (mesh.material != static_cast<std::uint32_t>(Cloth::kGround)) continue;
-        paint(mesh, [&](const glm::vec3& p, const glm::vec3&) {
-            float free = 1.0F;
-            for (const Sole& sole : soles) {
-                const glm::vec3 along = sole.toe_m - sole.heel_m;
-                const float t = std::clamp(
-                    glm::dot(p - sole.heel_m, along) / glm::dot(along, along), 0.0F, 1.0F);
-                const float away =
-                    std::max(0.0F, glm::distance(p, sole.heel_m + t * along) - sole.radius_m);
-                free *= 1.0F - 0.62F * std::exp(-away / 0.016F) - 0.16F * std::exp(-away / 0.07F);
-            }
-            return glm::vec3(free);
-        });
-    }
 }
 
 }  // namespace obscura::stimuli::figures
