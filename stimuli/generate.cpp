@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 #include <map>
 #include <set>
 #include <string_view>
@@ -18,6 +17,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/base/version.h"
 #include "renderer/gl/context.h"
+#include "stimuli/finishing.h"
 #include "stimuli/pairs.h"
 #include "stimuli/png.h"
 #include "stimuli/stimulus.h"
@@ -26,64 +26,6 @@ namespace obscura::stimuli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// manifest.json, or the list of a part, manifest-K-of-N.json; nothing else that may lie there.
-bool is_part_manifest(std::string_view name) {
-    const auto take = [&name](std::string_view word) {
-        const bool there = name.starts_with(word);
-        if (there) name.remove_prefix(word.size());
-        return there;
-    };
-    const auto take_number = [&name] {
-        const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-        name.remove_prefix(digits);
-        return digits > 0;
-    };
-    return take("manifest-") && take_number() && take("-of-") && take_number() && name == ".json";
-}
-bool is_manifest(const std::string& name) {
-    return name == "manifest.json" || is_part_manifest(name);
-}
-
-/// A finished image, and whether this program would make it from the same inputs today.
-struct Finished {
-    ManifestImage image;
-    bool current = false;
-};
-using FinishedImages = std::map<std::string, Finished>;  ///< by file
-
-/// Every image that some manifest in the folder calls finished, whose bytes are as it says and
-/// which shows what the study asks. Where several do, a current one wins.
-FinishedImages finished_images(const Study& study, const StimulusRenderer& renderer,
-                               const fs::path& folder) {
-    std::map<std::string, std::string> inputs;
-    for (const Stimulus& stimulus : stimuli_of(study)) {
-        inputs[stimulus.file()] = renderer.inputs_sha256(stimulus);
-    }
-    FinishedImages finished;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (!is_manifest(name)) continue;
-        Manifest manifest;
-        try {
-            manifest = load_manifest(entry.path());
-        } catch (const base::Error&) {
-            continue;  // what it listed is made again, and the list with it
-        }
-        const bool same_gpu = manifest.gpu_renderer == renderer::gpu_renderer();
-        for (const ManifestImage& image : manifest.images) {
-            const fs::path file = folder / image.file;
-            if (!inputs.contains(image.file) || !fs::is_regular_file(file)) continue;
-            if (!shows_what_is_asked(study, image)) continue;
-            const bool current = same_gpu && image.inputs_sha256 == inputs.at(image.file);
-            if (!current && !same_gpu) continue;
-            if (base::sha256_hex(base::read_file(file)) != image.sha256) continue;
-            Finished& known = finished[image.file];
-            if (!known.current) known = {image, current};
-        }
-    }
-    return finished;
-}
 
 /// Throws bad input where the folder holds the images of a study of another name, whose list would
 /// be lost, or files that are no study's.
@@ -111,22 +53,6 @@ void refuse_another_study(const Study& study, const fs::path& folder) {
             "folder",
             folder.string(), other, study.name);
     }
-}
-
-/// The finished images in the study's order.
-Manifest manifest_of(const Study& study, const FinishedImages& finished,
-                     const std::string& gpu_renderer) {
-    Manifest manifest{study.name, study.seed, gpu_renderer, {}, {}, base::program_version()};
-    for (const Stimulus& stimulus : stimuli_of(study)) {
-        const auto found = finished.find(stimulus.file());
-        if (found != finished.end()) manifest.images.push_back(found->second.image);
-    }
-    return manifest;
-}
-
-bool is_current(const FinishedImages& finished, const std::string& file) {
-    const auto found = finished.find(file);
-    return found != finished.end() && found->second.current;
 }
 
 /// The finished pairs with their differences, and of those that nobody can tell apart why.
@@ -161,28 +87,6 @@ void remove_part_manifests(const fs::path& folder) {
     for (const fs::path& part : parts) fs::remove(part, ignored);
 }
 
-/// An image that is finished already, wherever: another one of the same inputs is not rendered.
-struct Twin {
-    fs::path file;
-    ManifestImage image;
-};
-using Twins = std::map<std::string, Twin>;  ///< by the hash of their inputs
-
-void add_twins(const FinishedImages& finished, const fs::path& folder, Twins& twins) {
-    for (const auto& [file, one] : finished) {
-        if (one.current) twins.try_emplace(one.image.inputs_sha256, Twin{folder / file, one.image});
-    }
-}
-
-/// What the manifest says of an image that is the copy of another.
-ManifestImage as_copy(const Study& study, const Stimulus& stimulus, ManifestImage image) {
-    image.file = stimulus.file();
-    image.condition = stimulus.condition->id;
-    image.side = std::string(1, stimulus.side);
-    image.scene = study.scene_of(*stimulus.condition).id;
-    return image;
-}
-
 /// The pairs that were selected.
 std::vector<ManifestPair> of_selected(const Selection& selection, std::vector<ManifestPair> pairs) {
     std::erase_if(pairs, [&](const ManifestPair& pair) {
@@ -204,18 +108,6 @@ std::vector<std::string> warnings_of_selected(const Study& study, const Selectio
         warnings.push_back(std::move(claim));
     }
     return warnings;
-}
-
-std::string title_of(const Stimulus& stimulus) {
-    return fmt::format("{} ({})", stimulus.file(), stimulus.choice().variant_name());
-}
-
-/// Nothing can be seen in it: a scene as bright as its background, or a camera that misses it.
-bool is_of_one_colour(const RgbImage& image) {
-    for (std::size_t i = 3; i < image.rgb.size(); ++i) {
-        if (image.rgb[i] != image.rgb[i - 3]) return false;
-    }
-    return true;
 }
 
 /// Whether it is another driver that rendered it otherwise, or another image, and how far apart.
@@ -252,88 +144,52 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
         folder / (selection.shards == 1
                       ? std::string("manifest.json")
                       : fmt::format("manifest-{}-of-{}.json", selection.shard, selection.shards));
-    const std::string gpu = renderer::gpu_renderer();
     Twins twins;
     add_twins(finished, folder, twins);
     if (fs::is_directory(selection.known)) {
         add_twins(finished_images(study, renderer, selection.known), selection.known, twins);
     }
     Generated generated;
-    PairsInTheMaking made;
-    base::Progress progress("render", wanted.size(), quiet);
-    const auto finish = [&](const Stimulus& stimulus, const ManifestImage& entry, RgbImage image,
-                            const std::string& bytes, const std::string& told) {
-        if (is_of_one_colour(image)) {
-            base::log::warn("warning: {}: the whole image has one colour", stimulus.file());
-        }
-        base::write_file_atomically(folder / entry.file, bytes);
-        made.add(entry, std::move(image));
-        finished.insert_or_assign(entry.file, Finished{entry, true});
-        twins.try_emplace(entry.inputs_sha256, Twin{folder / entry.file, entry});
-        save_manifest(list, manifest_of(study, finished, gpu));
-        ++generated.made;
-        progress.step(told);
-    };
-    // An image is compressed, written and compared while the next one is drawn. What `finish` uses
-    // is left alone until it is done.
-    std::future<void> last;
-    const auto await_last = [&last] {
-        if (last.valid()) last.get();
-    };
-    std::set<std::string> drawn;  // the inputs of images that are finished, or will be
-    for (const auto& [inputs, twin] : twins) drawn.insert(inputs);
     std::set<std::string> kept;
+    std::set<std::string> drawn;  // the inputs of images that are finished, or will be
     for (const Stimulus& stimulus : wanted) {
         if (is_current(finished, stimulus.file())) kept.insert(stimulus.file());
     }
+    for (const auto& [inputs, twin] : twins) drawn.insert(inputs);
+    base::Progress progress("render", wanted.size(), quiet);
+    Finishing finishing(study, folder, list, finished, twins, progress);
     for (const Stimulus& stimulus : wanted) {
         if (selection.buffers) {
             base::write_file_atomically((folder / stimulus.file()).replace_extension(".exr"),
                                         renderer::encode_exr(renderer.render_buffers(stimulus)));
         }
         if (kept.contains(stimulus.file())) {
-            await_last();
+            finishing.keep(stimulus);
             ++generated.kept;
-            progress.step(stimulus.file() + " (kept)");
             continue;
         }
-        const std::string inputs = renderer.inputs_sha256(stimulus);
-        if (drawn.contains(inputs)) {
-            await_last();
-            const Twin& twin = twins.at(inputs);
-            const std::string bytes = base::read_file(twin.file);
-            finish(stimulus, as_copy(study, stimulus, twin.image),
-                   decode_png(bytes, twin.file.string()), bytes, stimulus.file() + " (copied)");
+        ++generated.made;
+        if (!drawn.insert(renderer.inputs_sha256(stimulus)).second) {
+            finishing.copy(stimulus, renderer.inputs_sha256(stimulus));
             ++generated.copied;
             continue;
         }
         const renderer::Frame frame = renderer.render_next(stimulus);
         ManifestImage entry = renderer.describe(stimulus, frame);
         entry.accuracy = renderer.accuracy(stimulus, frame);
-        RgbImage image = image_of(frame);
-        drawn.insert(inputs);
-        await_last();
-        last = std::async(std::launch::async, [&finish, &stimulus, entry = std::move(entry),
-                                               image = std::move(image)]() mutable {
-            const std::string bytes = encode_png(image);
-            entry.sha256 = base::sha256_hex(bytes);
-            const Brightness brightness = brightness_of(image);
-            entry.mean_luminance = brightness.mean;
-            entry.contrast = brightness.contrast;
-            finish(stimulus, entry, std::move(image), bytes, title_of(stimulus));
-        });
+        finishing.begin(stimulus, std::move(entry), image_of(frame));
     }
-    await_last();
+    const std::vector<ManifestPair> made = finishing.end();
     // Other parts may have finished meanwhile.
     finished = finished_images(study, renderer, folder);
     const std::vector<Stimulus> all = stimuli_of(study);
     generated.complete = std::all_of(all.begin(), all.end(), [&](const Stimulus& stimulus) {
         return is_current(finished, stimulus.file());
     });
-    Manifest manifest = manifest_of(study, finished, gpu);
+    Manifest manifest = manifest_of(study, finished, renderer::gpu_renderer());
     const std::vector<ManifestPair> known = known_pairs(folder);
     manifest.pairs = known;
-    manifest.pairs.insert(manifest.pairs.end(), made.pairs().begin(), made.pairs().end());
+    manifest.pairs.insert(manifest.pairs.end(), made.begin(), made.end());
     manifest.pairs = pairs_with_reasons(study, manifest, folder, renderer);
     generated.pairs = of_selected(selection, manifest.pairs);
     generated.warnings = warnings_of_selected(study, selection, manifest, generated.pairs);
