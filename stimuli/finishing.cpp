@@ -30,6 +30,7 @@ bool is_part_manifest(std::string_view name) {
     };
     return take("manifest-") && take_number() && take("-of-") && take_number() && name == ".json";
 }
+
 namespace {
 
 /// manifest.json, or the list of a part; nothing else that may lie there.

@@ -5,17 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string_view>
 
-#include "renderer/base/check.h"
 #include "renderer/base/files.h"
 #include "renderer/base/hash.h"
-#include "renderer/base/log.h"
 #include "renderer/base/own_folder.h"
 #include "renderer/base/progress.h"
-#include "renderer/base/version.h"
 #include "renderer/gl/context.h"
 #include "stimuli/finishing.h"
 #include "stimuli/pairs.h"
@@ -169,8 +165,9 @@ Generated generate(const Study& study, const Selection& selection, const fs::pat
             continue;
         }
         ++generated.made;
-        if (!drawn.insert(renderer.inputs_sha256(stimulus)).second) {
-            finishing.copy(stimulus, renderer.inputs_sha256(stimulus));
+        const std::string inputs = renderer.inputs_sha256(stimulus);
+        if (!drawn.insert(inputs).second) {
+            finishing.copy(stimulus, inputs);
             ++generated.copied;
             continue;
         }
