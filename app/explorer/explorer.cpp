@@ -7,6 +7,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/explorer/controls.h"
@@ -28,6 +29,7 @@ constexpr double kSoonWait_s = 0.04;
 /// While an image is rendered on the processor, drawing the window takes the time from it: it waits
 /// for the image, but not longer than this.
 constexpr double kWindowEvery_s = 0.1;
+constexpr const char* kSidePanel = "##side";
 
 [[nodiscard]] Remembered remembered_for(const ExploreOptions& options) {
     if (options.reset) return {};
@@ -176,7 +178,8 @@ void Explorer::ask_for_work() {
 void Explorer::draw_side_panel(Desk& desk, const Box& box) {
     ImGui::SetNextWindowPos({box.low.x, box.low.y});
     ImGui::SetNextWindowSize({box.size().x, box.size().y});
-    ImGui::Begin("##side", nullptr,
+    side_panel_ = PanelPlace{kSidePanel, box.low, box.high};
+    ImGui::Begin(kSidePanel, nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
@@ -199,10 +202,13 @@ void Explorer::draw(Desk& desk) {
     const float menu = ImGui::GetFrameHeight();
     const float status = std::min(5.2F * text, 0.5F * screen.y);
     const bool roomy = screen.x > 40.0F * text && screen.y > 12.0F * text;
-    const float side = state_.panels && roomy ? std::min(25.0F * text, 0.45F * screen.x) : 0.0F;
+    // Whole pixels, so that a picture of the panel is the panel.
+    const float side =
+        state_.panels && roomy ? std::floor(std::min(25.0F * text, 0.45F * screen.x)) : 0.0F;
     const float bottom = std::max(menu + 1.0F, screen.y - status);
     const float right = std::max(1.0F, screen.x - side);
     view_.draw(desk, {{0.0F, menu}, {right, bottom}});
+    side_panel_.reset();
     if (side > 0.0F) draw_side_panel(desk, {{right, menu}, {screen.x, bottom}});
     status_bar(desk, status);
     open_window(desk);
@@ -244,7 +250,9 @@ bool Explorer::step() {
         unanswered_.push_back({*first_input_s, 0.0, model_.look()});
     }
     ask_for_work();
-    window_.end_frame();
+    // Flying, nobody uses the panel, and its letters take the time of the images.
+    const bool flies = software_ && model_.moving(now_s) && (keys_held_ || view_.dragging());
+    window_.end_frame(flies ? side_panel_ : std::nullopt);
     if (window_.is_lost()) end_without_driver();
     note_answered();
     for (const std::string& file : window_.take_dropped()) orders.open = file;
