@@ -3,6 +3,7 @@
 #include "stimuli/buffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -17,6 +18,17 @@ using renderer::Target;
 /// sRGB code values in [0, 1] to linear light (IEC 61966-2-1).
 float decode_srgb(float code) {
     return code <= 0.04045F ? code / 12.92F : std::pow((code + 0.055F) / 1.055F, 2.4F);
+}
+
+/// The same of values that eight bits hold.
+std::vector<float> decoded(std::vector<float> codes) {
+    constexpr float kMost = 255.0F;
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = decode_srgb(static_cast<float>(i) / kMost);
+    }
+    for (float& code : codes) code = table[static_cast<std::size_t>(std::lround(code * kMost))];
+    return codes;
 }
 
 /// Three channels of interleaved values.
@@ -71,11 +83,10 @@ renderer::FloatImage buffers_of(const Frame& frame, const renderer::Lighting& li
     image.width = plan.width;
     image.height = plan.height;
     std::vector<float> depth_m = frame.read_floats(Target::kDepth);
-    std::vector<float> albedo = frame.read_components(Target::kAlbedo, 3);
-    std::transform(albedo.begin(), albedo.end(), albedo.begin(), decode_srgb);
 
     add_three(image, {"N.X", "N.Y", "N.Z"}, normals_of(frame, depth_m));
-    add_three(image, {"albedo.R", "albedo.G", "albedo.B"}, albedo);
+    add_three(image, {"albedo.R", "albedo.G", "albedo.B"},
+              decoded(frame.read_components(Target::kAlbedo, 3)));
     add_three(image, {"light.R", "light.G", "light.B"}, light_of(frame, lighting, depth_m));
     image.channels.push_back({"ao.Y", frame.read_accessibility()});
     image.channels.push_back({"Z", std::move(depth_m)});

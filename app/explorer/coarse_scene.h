@@ -10,7 +10,7 @@
 namespace obscura::app::explorer {
 
 /// As many triangles as a software renderer draws fifteen times a second.
-inline constexpr std::size_t kMostMovingTriangles = 30'000;
+inline constexpr std::size_t kMostMovingTriangles = 20'000;
 
 struct CoarseScene {
     renderer::Scene scene;  ///< its textures have sizes but no texels

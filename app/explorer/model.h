@@ -127,6 +127,8 @@ class Model {
     /// 1, 2 or 4: width and height of what is drawn while something moves are divided by it.
     [[nodiscard]] int divisor() const { return pacer().divisor(); }
     [[nodiscard]] std::uint64_t look() const { return look_; }
+    /// How good its images get while it stands.
+    [[nodiscard]] Quality finest() const;
 
     static constexpr double kStill_s = 0.15;
     static constexpr double kFine_s = 0.6;
@@ -136,7 +138,6 @@ class Model {
     /// Something else is to be seen.
     void moved(Motion motion, double now_s);
     [[nodiscard]] std::string visible_sides() const;
-    [[nodiscard]] Quality finest() const;
     [[nodiscard]] bool shows_buffers() const;
     [[nodiscard]] ShotRequest request_of(Quality quality, int divisor) const;
     [[nodiscard]] const Pacer& pacer() const { return pacers_[static_cast<std::size_t>(motion_)]; }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/explorer/flight.h"
+#include "app/explorer/pacer.h"
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
 #include "renderer/frame/kept_shadows.h"
@@ -51,6 +52,7 @@ void Photographer::load(const ShotRequest& request) {
         scene_ = request.scene;
         whole_.gpu = std::make_unique<renderer::GpuScene>(*scene_->opened().scene);
         light_key_.clear();
+        ready_key_.clear();
     }
     const stimuli::StudyScene& wanted = request.choices.scene;
     const std::string key =
@@ -114,7 +116,7 @@ Shot Photographer::take(const ShotRequest& request, char side,
                        go_on)
                 .accessibility;
         } catch (const base::Error&) {
-            if (!wanted()) throw Stopped();
+            if (!wanted()) throw renderer::Stopped();
             throw;
         }
     };
@@ -124,6 +126,7 @@ Shot Photographer::take(const ShotRequest& request, char side,
     // Of an image that no better one takes passes over from, nobody is told what they took.
     view.timed = !(software_ && request.quality == Quality::kMoving &&
                    (&stage == &coarse_ || request.divisor > 1));
+    if (software_ && request.quality != Quality::kMoving) view.go_on = wanted;
     const renderer::Frame frame = renderer_.render(view, variant, width, height, stage.known);
     renderer::ViewBuffers buffers = frame.view_buffers();
     // What took over everything may hold less than what it took it from.
@@ -139,6 +142,7 @@ Shot Photographer::take(const ShotRequest& request, char side,
     shot.coarse = &stage == &coarse_;
     shot.supersampling = options.supersampling;
     shot.rgb = frame.read_display();
+    if (view.go_on && !wanted()) throw renderer::Stopped();
     if (request.buffers) {
         shot.buffers = stimuli::buffers_of(frame, lighting_);
         if (frame.plan().find(renderer::Target::kEmission) != nullptr) {
@@ -161,6 +165,27 @@ Shot Photographer::take(const ShotRequest& request, char side,
         std::chrono::steady_clock::now() - began;
     shot.milliseconds = spent.count();
     return shot;
+}
+
+void Photographer::get_ready_to_move(const ShotRequest& request,
+                                     const std::function<bool()>& wanted) {
+    if (!software_ || scene_ != request.scene || scene_->coarse() == nullptr) return;
+    const Choices& choices = request.choices;
+    const std::string key = fmt::format("{} {} {}", light_key_, choices.side('a').in_words(),
+                                        choices.side('b').in_words());
+    if (key == ready_key_) return;
+    ShotRequest moving = request;
+    moving.quality = Quality::kMoving;
+    moving.divisor = Pacer::kDivisors.back();
+    moving.buffers = false;
+    moving.afresh = false;
+    for (const char side : {'a', 'b'}) {
+        if (!wanted()) return;
+        const renderer::Technique* technique =
+            renderer::find_technique(choices.side(side).technique);
+        if (technique != nullptr && !technique->ray_traced) (void)take(moving, side, wanted);
+    }
+    ready_key_ = key;
 }
 
 }  // namespace obscura::app::explorer

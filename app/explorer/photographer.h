@@ -13,19 +13,20 @@
 
 namespace obscura::app::explorer {
 
-/// Thrown where the caller wanted no more.
-struct Stopped {};
-
 /// Renders views by the one renderer that `obscura render` has. Needs a current OpenGL context;
 /// keeps the scene of the last image, of the last view what does not depend on the technique, and
 /// shadow maps for as long as only the camera moves. On a software renderer a scene of many
 /// triangles is drawn coarser while something moves.
 class Photographer {
   public:
-    /// `wanted` is asked now and then during rays; false stops them with Stopped. Throws what the
+    /// `wanted` is asked now and then; false ends the image with renderer::Stopped. Throws what the
     /// renderer throws.
     [[nodiscard]] Shot take(const ShotRequest& request, char side,
                             const std::function<bool()>& wanted);
+
+    /// Loads and compiles what images in motion of that request's scene and techniques need, so
+    /// that the first of them is as quick as the next.
+    void get_ready_to_move(const ShotRequest& request, const std::function<bool()>& wanted);
 
   private:
     /// A scene on the GPU with what is known of the last view of it.
@@ -48,6 +49,7 @@ class Photographer {
     Stage whole_;
     Stage coarse_;
     std::string light_key_;
+    std::string ready_key_;  ///< the light and techniques that it is ready to move with
     renderer::Lighting lighting_;
 };
 

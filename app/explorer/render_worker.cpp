@@ -22,6 +22,10 @@ class HeadlessStudio : public Studio {
                             const std::function<bool()>& wanted) override {
         return photographer_.take(request, side, wanted);
     }
+    void get_ready_to_move(const ShotRequest& request,
+                           const std::function<bool()>& wanted) override {
+        photographer_.get_ready_to_move(request, wanted);
+    }
 
   private:
     renderer::HeadlessContext context_;
@@ -163,7 +167,7 @@ void RenderWorker::take_all(Studio& studio, const ShotRequest& request,
         if (!wanted()) break;
         try {
             made.push_back(studio.take(request, side, wanted));
-        } catch (const Stopped&) {
+        } catch (const renderer::Stopped&) {
             break;
         } catch (const base::Error& error) {
             // A variant or scene that cannot be rendered leaves the context as it was, but a driver
@@ -175,6 +179,14 @@ void RenderWorker::take_all(Studio& studio, const ShotRequest& request,
         if (!together) answer(made);
     }
     answer(made);
+    if (together || !wanted()) return;
+    try {
+        studio.get_ready_to_move(request, wanted);
+    } catch (const renderer::Stopped&) {
+        // It is wanted now.
+    } catch (const base::Error& error) {
+        if (error.code() != base::ExitCode::kBadInput) throw;  // the images themselves say why
+    }
 }
 
 }  // namespace obscura::app::explorer

@@ -32,6 +32,9 @@ class Studio {
     /// As Photographer::take. Throws failure where the driver was reset or refuses.
     [[nodiscard]] virtual Shot take(const ShotRequest& request, char side,
                                     const std::function<bool()>& wanted) = 0;
+    /// As Photographer::get_ready_to_move.
+    virtual void get_ready_to_move(const ShotRequest& request,
+                                   const std::function<bool()>& wanted) = 0;
 };
 /// In a context without a window: the very context, driver and code that `obscura render` has.
 /// Throws failure where there is no driver.

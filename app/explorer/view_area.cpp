@@ -246,11 +246,11 @@ void ViewArea::mouse(Desk& desk, const Box& area) {
         }
     }
     if (drag_ != Drag::kNone) {
-        if (!io.MouseDown[button_]) {
-            drag_ = Drag::kNone;
-        } else if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) {
+        // The last of a way may come with the release, where frames are slow.
+        if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) {
             drag(desk, area, at, gl(io.MouseDelta));
         }
+        if (!io.MouseDown[button_]) drag_ = Drag::kNone;
     }
     if (over && io.MouseWheel != 0.0F) wheel(desk, area, at);
 }

@@ -19,6 +19,7 @@ struct Renderer::Job {
     const TracedAccessibility& traced;
     const RaysOfScene& rays;
     bool timed;
+    const std::function<bool()>& go_on;
     glm::ivec2 size{0};  ///< of the buffers that are attached
 
     [[nodiscard]] bool has(std::string_view buffer) const { return plan.find(buffer) != nullptr; }

@@ -77,7 +77,7 @@ void Renderer::run_composite(Job& job) {
     }
     if (needs.direct_light()) bind(shader, "t_direct", job.frame.texture(Target::kDirect), 2);
     if (needs.emission) bind(shader, "t_emission", job.frame.texture(Target::kEmission), 3);
-    full_screen(shader, GL_GREATER);
+    full_screen(job, shader, GL_GREATER);
 }
 
 void Renderer::run_sky(Job& job) {
@@ -88,7 +88,7 @@ void Renderer::run_sky(Job& job) {
     job.set_view(shader);
     shader.set("u_world_from_view", job.world_from_view());
     bind(shader, "t_environment", environment(job.lighting.environment).texture.name(), 0);
-    full_screen(shader, GL_EQUAL);
+    full_screen(job, shader, GL_EQUAL);
 }
 
 void Renderer::run_tone_map(Job& job) {
@@ -101,7 +101,7 @@ void Renderer::run_tone_map(Job& job) {
     bind(shader, "t_hdr", job.frame.texture(job.plan.linear_image()), 0);
     shader.set("u_exposure", tone.exposure);
     shader.set("u_white", tone.white);
-    full_screen(shader, GL_ALWAYS);
+    full_screen(job, shader, GL_ALWAYS);
 }
 
 void Renderer::run_resolve(Job& job) {
@@ -109,7 +109,7 @@ void Renderer::run_resolve(Job& job) {
         program("passes/full_screen.vert.glsl", "passes/resolve.frag.glsl", {job.samples_define()});
     attach(job, {Target::kResolved}, std::nullopt);
     bind(shader, "t_display", job.frame.texture(Target::kDisplay), 0);
-    full_screen(shader, GL_ALWAYS);
+    full_screen(job, shader, GL_ALWAYS);
 }
 
 }  // namespace obscura::renderer

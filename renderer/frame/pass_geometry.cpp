@@ -104,6 +104,7 @@ void Renderer::draw_opaque(Job& job, const CameraMatrices& camera, const std::st
             if ((material.coverage == Coverage::kCutOut) != cut_out) continue;
             set_surface(job, shader, material);
             GpuScene::draw(draw, view);
+            ask_whether_to_go_on(job);
         }
     }
     glDisable(GL_CULL_FACE);

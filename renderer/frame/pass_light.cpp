@@ -125,7 +125,7 @@ void Renderer::run_light(Job& job) {
     constexpr GLfloat kDark[] = {0.0F, 0.0F, 0.0F, 0.0F};
     if (needs.environment) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kDark);
     if (needs.direct_light()) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kDark);
-    full_screen(shader, GL_GREATER);
+    full_screen(job, shader, GL_GREATER);
 }
 
 }  // namespace obscura::renderer

@@ -36,7 +36,7 @@ void Renderer::run_seen(Job& job) {
     if (position) {
         bind(shader, "t_position", job.frame.texture(plan.of_pixels(Target::kPosition)), 3);
     }
-    full_screen(shader, GL_ALWAYS, GL_TRUE);
+    full_screen(job, shader, GL_ALWAYS, GL_TRUE);
 }
 
 void Renderer::run_second_layer(Job& job) {

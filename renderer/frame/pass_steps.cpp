@@ -161,7 +161,7 @@ void Renderer::draw_step(Job& job, gl::Program& program, const PlannedPass& pass
                          int layer) {
     attach_step(job, pass, level, layer);
     set_step(job, program, pass, level, layer);
-    full_screen(program, pass.step->cover == Cover::kSurfaces ? GL_GREATER : GL_ALWAYS);
+    full_screen(job, program, pass.step->cover == Cover::kSurfaces ? GL_GREATER : GL_ALWAYS);
 }
 
 void Renderer::compute_step(Job& job, gl::Program& program, const PlannedPass& pass, int level,

@@ -13,6 +13,10 @@
 namespace obscura::renderer {
 namespace {
 
+/// Rows of a buffer that are drawn before it is asked whether they are still wanted: whole tiles
+/// of a software renderer.
+constexpr int kRowsAtATime = 64;
+
 /// A width x height texture of unfiltered float vectors.
 gl::Texture vector_texture(const std::vector<glm::vec3>& values, int width, int height) {
     gl::Texture texture = gl::Texture::make(static_cast<GLenum>(GL_TEXTURE_2D));
@@ -57,7 +61,8 @@ Renderer::Job Renderer::job_of(const View& view, const FramePlan& plan, Frame& f
             seen,
             view.traced,
             view.rays,
-            view.timed};
+            view.timed,
+            view.go_on};
 }
 
 gl::Program& Renderer::program(const std::string& vertex, const std::string& fragment,
@@ -160,13 +165,29 @@ void Renderer::use(gl::Program& program) {
     program.use();
 }
 
-void Renderer::full_screen(gl::Program& program, GLenum test, GLboolean writes) {
+void Renderer::ask_whether_to_go_on(const Job& job) {
+    if (!job.go_on) return;
+    glFinish();
+    if (!job.go_on()) throw Stopped();
+}
+
+void Renderer::full_screen(const Job& job, gl::Program& program, GLenum test, GLboolean writes) {
     glEnable(GL_DEPTH_TEST);
     glDepthMask(writes);
     glDepthFunc(test);
     use(program);
     glBindVertexArray(empty_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (!job.go_on) {
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        return;
+    }
+    glEnable(GL_SCISSOR_TEST);
+    for (int row = 0; row < job.size.y; row += kRowsAtATime) {
+        glScissor(0, row, job.size.x, kRowsAtATime);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        ask_whether_to_go_on(job);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::run_pass(Job& job, const PlannedPass& pass) {
@@ -213,6 +234,7 @@ std::vector<PassTime> Renderer::run(Job& job, const std::function<bool(Phase)>& 
     gl::TimestampQueries timestamps(2 * job.plan.passes.size());
     for (const PlannedPass& planned : job.plan.passes) {
         if (!wanted(planned.phase)) continue;
+        ask_whether_to_go_on(job);
         if (!job.timed) {
             run_pass(job, planned);
             times.push_back({planned.phase, planned.name});

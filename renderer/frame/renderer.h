@@ -134,7 +134,10 @@ class Renderer {
     /// Draws over the whole image, at the far plane, where the visibility buffer passes the test:
     /// GL_GREATER where there is geometry, GL_EQUAL where there is none.
     /// `writes`: the shader writes that depth.
-    void full_screen(gl::Program& program, GLenum test, GLboolean writes = GL_FALSE);
+    void full_screen(const Job& job, gl::Program& program, GLenum test,
+                     GLboolean writes = GL_FALSE);
+    /// Throws Stopped where the view is wanted no more; a view that nobody asks costs nothing.
+    static void ask_whether_to_go_on(const Job& job);
     /// Makes it current, and notes what it reads and nobody set.
     void use(gl::Program& program);
     void bind(gl::Program& program, const char* sampler, GLuint texture, int unit);

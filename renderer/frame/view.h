@@ -20,6 +20,9 @@ using TracedAccessibility = std::function<std::vector<float>(const Camera& camer
 /// Gives the triangles of the view's scene for rays; made when they are first asked for.
 using RaysOfScene = std::function<const ReferenceScene&()>;
 
+/// Thrown where an image that was begun is wanted no more.
+struct Stopped {};
+
 /// All of an image but its variant and its size. What it refers to must outlive it.
 struct View {
     const GpuScene& scene;
@@ -32,6 +35,9 @@ struct View {
     std::optional<SceneNeeds> needs = {};
     /// False: no pass is waited for before the next one, which is quicker, and all times are 0.
     bool timed = true;
+    /// Asked between passes and in the midst of long ones; false ends the image with Stopped. What
+    /// is drawn is waited for each time, which a pass takes some hundredths longer for.
+    std::function<bool()> go_on = {};
 };
 
 /// The plan of an image of the view. Throws as plan_frame does.

@@ -91,22 +91,23 @@ struct Worked {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// A shell that starts xdotool: a process as large as this one takes long to fork.
+/// An xdotool that does what it is told as it is told: one for each word would take its time from
+/// what is measured, and a process as large as this one takes long to fork.
 class Tool {
   public:
-    Tool() : shell_(::popen("sh", "w")) {
-        if (shell_ == nullptr) std::exit(1);
+    Tool() : tool_(::popen("xdotool -", "w")) {
+        if (tool_ == nullptr) std::exit(1);
     }
-    ~Tool() { ::pclose(shell_); }
+    ~Tool() { ::pclose(tool_); }
     Tool(const Tool&) = delete;
     Tool& operator=(const Tool&) = delete;
     void operator()(const char* words) {
-        fmt::print(shell_, "xdotool {}\n", words);
-        std::fflush(shell_);
+        fmt::print(tool_, "{}\n", words);
+        std::fflush(tool_);
     }
 
   private:
-    std::FILE* shell_;
+    std::FILE* tool_;
 };
 
 /// A hand on mouse and keyboard, in a thread and a connection to the X server of its own.
@@ -168,9 +169,9 @@ class Hand {
     }
 
   private:
-    /// To and fro, no place twice in a row.
+    /// To and fro in the left image, off the line that splits the view; no place twice in a row.
     void move(int moment) {
-        const int x = left_ + 400 + static_cast<int>(std::lround(150.0 * std::sin(0.05 * moment)));
+        const int x = left_ + 220 + static_cast<int>(std::lround(150.0 * std::sin(0.05 * moment)));
         const int y = top_ + 350 + moment % 2;
         {
             const std::lock_guard lock(mutex_);
@@ -203,9 +204,15 @@ class Hand {
     std::jthread thread_;
 };
 
+/// The image is as good as it gets, and nothing more is computed but rays.
 void steps_until_rest(Explorer& explorer) {
-    while (!explorer.at_rest() || !explorer.model().buffers('b') ||
-           explorer.model().moving(ExplorerWindow::now_s())) {
+    const auto& model = explorer.model();
+    const auto best = [&] {
+        const auto shown = model.image('b');
+        return shown && shown->look == model.look() && shown->quality == model.finest();
+    };
+    while (!explorer.at_rest() || !model.buffers('b') || !best() ||
+           model.moving(ExplorerWindow::now_s())) {
         explorer.step();
     }
 }
@@ -293,6 +300,27 @@ void standing(Explorer& explorer, int times) {
     watch.print("standing");
 }
 
+/// Turns a little at moments when images at rest are being made, which have to make room.
+void resuming(Explorer& explorer, int times) {
+    Hand hand(explorer);
+    Watch watch(explorer);
+    for (int i = 1; i <= times; ++i) {
+        std::atomic<bool> off = false;
+        const std::jthread nudge([&] {
+            hand.nudge(7 * i);
+            off = true;
+        });
+        const double rest_s = 0.1 + 0.37 * (i % 7);
+        std::optional<double> off_s;
+        while (!off_s || ExplorerWindow::now_s() - *off_s < rest_s) {
+            explorer.step();
+            watch.note(hand);
+            if (off && !off_s) off_s = ExplorerWindow::now_s();
+        }
+    }
+    watch.print("resuming");
+}
+
 /// Once at each level that the scene has light for.
 void at_each_level(Explorer& explorer, double seconds) {
     const auto levels = explorer.model().scene()->opened().levels;
@@ -302,6 +330,7 @@ void at_each_level(Explorer& explorer, double seconds) {
         steps_until_rest(explorer);
         moving(explorer, seconds);
         standing(explorer, 5);
+        resuming(explorer, 21);
     }
 }
 

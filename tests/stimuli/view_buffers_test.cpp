@@ -97,6 +97,31 @@ TEST_F(TakenOver, AnImageThatNobodyTimesIsTheSameToTheByteAndHasNoTimes) {
     }
 }
 
+TEST_F(TakenOver, AnImageThatMayBeStoppedIsTheSameToTheByteAndLeavesNothingWhereItIs) {
+    const renderer::Scene scene = tests::scene_of_all_kinds();
+    const renderer::GpuScene gpu(scene);
+    renderer::Lighting lighting;
+    lighting.environment = std::make_shared<renderer::Environment>(renderer::make_sky({}, 32));
+    lighting.lights.push_back({glm::vec3(0.4F, 0.8F, 0.4F), glm::vec3(3.0F)});
+    renderer::View view{gpu, lighting, tests::forward_camera(), {.supersampling = 2}};
+    for (const char* name : {"none", "blizzard", "unsharp"}) {
+        const auto render = [&] { return renderer_.render(view, tests::choice_of(name), 53, 75); };
+        view.go_on = {};
+        const std::vector<std::uint8_t> whole = render().read_display();
+        int asked = 0;
+        view.go_on = [&asked] { return ++asked > 0; };
+        EXPECT_TRUE(render().read_display() == whole) << name;
+        ASSERT_GT(asked, 10) << name;
+        for (int stop = 1; stop <= asked; ++stop) {
+            int left = stop;
+            view.go_on = [&left] { return --left > 0; };
+            EXPECT_THROW((void)render(), renderer::Stopped) << name << ' ' << stop;
+        }
+        view.go_on = {};
+        EXPECT_TRUE(render().read_display() == whole) << name;
+    }
+}
+
 TEST_F(TakenOver, MakesNoDifferenceToAnyBuffer) {
     const renderer::Scene scene = tests::scene_of_all_kinds();
     const renderer::GpuScene gpu(scene);

