@@ -29,6 +29,7 @@ constexpr double kSoonWait_s = 0.04;
 /// While an image is rendered on the processor, drawing the window takes the time from it: it waits
 /// for the image, but not longer than this.
 constexpr double kWindowEvery_s = 0.1;
+constexpr int kOutsideTheHeap_bytes = 16 << 20;
 constexpr const char* kSidePanel = "##side";
 
 [[nodiscard]] Remembered remembered_for(const ExploreOptions& options) {
@@ -52,6 +53,9 @@ Explorer::Explorer(ExploreOptions options)
       renderer_(&ExplorerWindow::wake),
       tracer_(&ExplorerWindow::wake),
       opener_(&ExplorerWindow::wake) {
+    // Scenes and images come and go: in a heap they would leave gaps between what stays, and the
+    // program would grow with every scene.
+    (void)::mallopt(M_MMAP_THRESHOLD, kOutsideTheHeap_bytes);
     const Remembered remembered = remembered_for(options_);
     state_.panels = remembered.panels;
     state_.text_scale = remembered.text_scale;

@@ -13,6 +13,14 @@
 namespace obscura::renderer {
 namespace {
 
+/// Lets go of what belongs to sources that nobody but the map has any more.
+template <typename Map, typename Source>
+void keep_used(Map& map, const Source& wanted) {
+    std::erase_if(map, [&wanted](const auto& one) {
+        return one.first != wanted && one.first.use_count() == 1;
+    });
+}
+
 /// Rows of a buffer that are drawn before it is asked whether they are still wanted: whole tiles
 /// of a software renderer.
 constexpr int kRowsAtATime = 64;
@@ -85,6 +93,7 @@ const gl::Texture& Renderer::texture_of(const NumberTable& table) {
 
 const Renderer::EnvironmentData& Renderer::environment(
     const std::shared_ptr<const Environment>& source) {
+    keep_used(environments_, source);
     EnvironmentData& data = environments_[source];
     if (!data.texture) {
         data.irradiance = project_irradiance(*source);
@@ -106,6 +115,7 @@ const Renderer::EnvironmentData& Renderer::environment(
 }
 
 const gl::Texture& Renderer::texture_of(const std::shared_ptr<const IrradianceGrid>& source) {
+    keep_used(grids_, source);
     gl::Texture& texture = grids_[source];
     if (texture) return texture;
     const glm::ivec3 count = source->lattice.count;
