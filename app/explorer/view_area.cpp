@@ -240,12 +240,15 @@ void ViewArea::mouse(Desk& desk, const Box& area) {
             placed(box_under(desk, area, at), image_px(desk.model.choices()), desk.model.layout());
         desk.state.pointer_px = placement.pixel_at(at);
     }
+    // The way to where it was pressed drags nothing.
+    bool pressed = false;
     for (int button = 0; button < 3; ++button) {
         if (drag_ == Drag::kNone && over && ImGui::IsMouseClicked(button)) {
             press(desk, area, button, at);
+            pressed = true;
         }
     }
-    if (drag_ != Drag::kNone) {
+    if (drag_ != Drag::kNone && !pressed) {
         // The last of a way may come with the release, where frames are slow.
         if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) {
             drag(desk, area, at, gl(io.MouseDelta));

@@ -238,6 +238,17 @@ TEST_F(ExplorerDriven, OneFliesWhileTheMouseTurns) {
     EXPECT_GT(glm::distance(ahead(after), ahead(before)), 0.01F);
 }
 
+TEST_F(ExplorerDriven, TheWayToWhereTheButtonIsPressedTurnsNothing) {
+    ASSERT_TRUE(wait_for_images());
+    point_at({300.0F, 400.0F});
+    const renderer::Camera before = model().view().camera;
+    display_.tool({"xdotool", "mousemove", "500", "300", "mousedown", "1"});
+    frames(3);
+    display_.tool({"xdotool", "mouseup", "1"});
+    frames(3);
+    EXPECT_EQ(model().view().camera.target_m, before.target_m);
+}
+
 TEST_F(ExplorerDriven, ThePanelsAreGoneThroughByKeysWithoutFlying) {
     ASSERT_TRUE(wait_for_images());
     point_at({300.0F, 400.0F});
