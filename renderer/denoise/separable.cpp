@@ -7,13 +7,15 @@ namespace obscura::renderer {
 Denoise separable_denoise() {
     constexpr int kTaps = 7;
     Recipe recipe;
-    recipe.buffers = {{"denoise step", "rg32f"}};
+    Buffer step{"denoise step", "rgba32f"};
+    step.columns = 2;
+    recipe.buffers = {step};
     recipe.steps = {{"denoise",
                      "denoise/separable.glsl",
                      {Target::kAccessibility, Target::kDepth},
                      "denoise step",
                      {"ACROSS"},
-                     2 * kTaps,
+                     2 * (kTaps + 1),
                      Cover::kAll},
                     {"denoise",
                      "denoise/separable.glsl",

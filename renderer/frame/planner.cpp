@@ -52,6 +52,7 @@ const std::string& Planner::add(const Buffer& asked) {
         return std::max(1, static_cast<int>(std::ceil(static_cast<float>(size) * buffer.scale)));
     };
     planned.width = scaled(samples ? plan_.width : plan_.image_width);
+    planned.width = (planned.width + buffer.columns - 1) / buffer.columns;
     planned.height = scaled(samples ? plan_.height : plan_.image_height);
     if (buffer.is(Target::kShadow)) {
         planned.width = planned.height = needs().shadow_size;

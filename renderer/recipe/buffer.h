@@ -22,6 +22,7 @@ struct Buffer {
     float scale = 1.0F;  ///< of width and height, (0, 1], rounded up
     int levels = 1;      ///< mip levels, each half of the one above; at most what the size has
     int layers = 1;      ///< more than one: an array
+    int columns = 1;  ///< of what it is made of, side by side in a texel; its width is rounded up
 
     /// A buffer is known by its name.
     operator std::string_view() const { return name; }  // NOLINT(google-explicit-constructor)

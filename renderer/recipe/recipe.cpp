@@ -41,7 +41,7 @@ int fetches_per_pixel(const Recipe& recipe) {
         const int runs = step.frame < 0 ? recipe.frames : 1;
         for (int level = step.first_level; level < step.end_level(written.levels); ++level) {
             const double scale = static_cast<double>(written.scale) * std::pow(0.5, level);
-            sum += step.fetches * scale * scale * written.layers * runs;
+            sum += step.fetches * scale * scale / written.columns * written.layers * runs;
         }
     }
     return static_cast<int>(std::ceil(sum));

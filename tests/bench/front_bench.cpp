@@ -4,12 +4,14 @@
 // The front of speed against error on the built-in study's three views of moderate and low light:
 // RMSE of the mean square of the three, signed mean, and time over that of the first setting, all
 // settings in turn. Lengths are in the R of each scene.
-//   front_bench [--study FILE] [--size WxH] [--rays N] [--runs N] [--fit EVALUATIONS] SETTING...
+//   front_bench [--study FILE] [--size WxH] [--rays N] [--runs N] [--steps] [--fit EVALUATIONS]
+//               SETTING...
 // A SETTING is one argument: `layered 16 denoise=separable preset=fitted reach=1.2 ao_scale=0.5`.
-// `--runs 0` times nothing. With --fit the last one's parameters that it does not set, and those it
-// gives a start (`reach~1.2`), are fitted, one set for all scenes, on the cameras that no view of
-// the study has. Figures of different views are no more comparable than their errors without any
-// technique (`none`): tests/bench/a623740.toml has the views of that commit.
+// `--runs 0` times nothing; `--steps` names each step's median. With --fit the last one's
+// parameters that it does not set, and those it gives a start (`reach~1.2`), are fitted, one set
+// for all scenes, on the cameras that no view of the study has. Figures of different views are no
+// more comparable than their errors without any technique (`none`): tests/bench/a623740.toml has
+// the views of that commit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -112,6 +114,7 @@ struct Wanted {
     int rays = 512;
     int runs = 9;
     int evaluations = 0;
+    bool steps = false;
     std::string study;
     std::vector<Asked> asked;
 };
@@ -121,7 +124,9 @@ Wanted options_of(int count, char** arguments) {
     for (int i = 1; i < count; ++i) {
         const std::string word = arguments[i];
         const auto value = [&] { return std::string(arguments[++i]); };
-        if (word == "--study") {
+        if (word == "--steps") {
+            options.steps = true;
+        } else if (word == "--study") {
             options.study = value();
         } else if (word == "--size") {
             options.size = parse_size(value());
@@ -197,6 +202,7 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
     std::vector<std::string> each(options.asked.size());
     std::vector<double> ms(options.asked.size(), 0.0);
     std::vector<double> layer_ms(options.asked.size(), 0.0);
+    std::vector<std::map<std::string, std::vector<double>>> by_step(options.asked.size());
     const auto [width, height] = options.size;
     const double share = 1.0 / static_cast<double>(views.size());
     for (const MeasuredView& view : views) {
@@ -218,7 +224,11 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
             for (std::size_t i = 0; i < options.asked.size(); ++i) {
                 const auto passes = stage.render_again(
                     view, frames[i], on_view(options.asked[i].variant, view, study));
-                if (run >= 2) times[i].push_back(ms_of(passes));
+                if (run < 2) continue;
+                times[i].push_back(ms_of(passes));
+                for (const renderer::PassTime& pass : passes) {
+                    if (is_of_the_variant(pass.phase)) by_step[i][pass.name].push_back(ms_of(pass));
+                }
             }
         }
         for (std::size_t i = 0; i < times.size(); ++i) ms[i] += median(times[i]) * share;
@@ -231,6 +241,10 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
         fmt::print("{:7.4f} {:+7.3f} {:7.3f} {:8.2f} {:6.3f} {:8.2f} {}  {}\n",
                    std::sqrt(sums[i].square), sums[i].bias, sums[i].p99, ms[i],
                    ms[0] > 0.0 ? ms[i] / ms[0] : 0.0, layer_ms[i], each[i], options.asked[i].text);
+        if (!options.steps) continue;
+        for (const auto& [name, times] : by_step[i]) {
+            fmt::print("{:24}{:8.2f}  {}\n", "", median(times), name);
+        }
     }
 }
 
