@@ -12,6 +12,7 @@
 #include "app/explorer/pacer.h"
 #include "renderer/base/error.h"
 #include "renderer/denoise/denoise.h"
+#include "renderer/frame/format.h"
 #include "renderer/frame/kept_shadows.h"
 #include "renderer/technique/reference.h"
 #include "stimuli/buffers.h"
@@ -19,24 +20,16 @@
 namespace obscura::app::explorer {
 namespace {
 
-/// How many components of a format hold something.
-[[nodiscard]] int channels_of(const std::string& format) {
-    if (format.starts_with("rgba") || format.starts_with("srgb8_alpha")) return 4;
-    if (format.starts_with("rgb")) return 3;
-    if (format.starts_with("rg")) return 2;
-    return 1;
-}
-
 void add_own(const renderer::Frame& frame, const renderer::Recipe& recipe, Shot& shot) {
     for (const renderer::Buffer& buffer : recipe.buffers) {
         const renderer::PlannedTarget* planned = frame.plan().find(buffer.name);
         if (planned == nullptr || buffer.format.starts_with("depth")) continue;
         OwnBuffer own{buffer.name,
                       buffer.format,
-                      planned->width,
+                      planned->row,
                       planned->height,
                       std::max(1, planned->layers),
-                      channels_of(buffer.format),
+                      components_of(renderer::format_of(buffer.format)) / buffer.columns,
                       {}};
         own.values = frame.read_components(buffer.name, own.channels);
         shot.own.push_back(std::move(own));

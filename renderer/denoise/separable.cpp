@@ -22,7 +22,9 @@ Denoise separable_denoise() {
                      {{"denoise step", "packed"}},
                      Target::kDenoised.name,
                      {},
-                     kTaps}};
+                     kTaps,
+                     Cover::kAll}};
+    recipe.steps.back().columns = 2;
     return {"separable",
             "bilateral in two passes, as Jakobsen 2010 took from Bavoil and Sainz 2009; weights "
             "follow the slope of the depth",

@@ -5,8 +5,8 @@
 // four pixels. A neighbour counts as far as its depth follows the pixel's own plane: the reciprocal
 // of depth is linear in the image on any plane, so a tilted one is smoothed like one that faces the
 // camera. The tolerance is a fraction of the depth, so it scales with the units.
-// ACROSS is the first pass: it reads accessibility and depth and hands both on, two pixels of a row in
-// one texel, so that what neighbours both read is read once.
+// Two pixels of a row at once, which share a texel of what is written: what neighbours both read is
+// read once. ACROSS is the first pass: it reads accessibility and depth and hands both on.
 #include "passes/shared_constants.h"
 
 const int kReach = 3;            // taps to each side
@@ -16,29 +16,27 @@ const float kTolerance = 0.004;  // of the depth, for each pixel of distance
 uniform sampler2D t_accessibility;
 uniform sampler2D t_depth;
 layout(location = 0) out vec4 o_packed;  // accessibility and reciprocal depth, twice
-const int kPixels = 2;
 #else
 uniform sampler2D t_packed;
-layout(location = 0) out float o_accessibility;
-const int kPixels = 1;
+layout(location = 0) out vec2 o_accessibility;
 #endif
 
-vec2 taps[2 * kReach + kPixels];  // accessibility and reciprocal depth, from kReach before the first
+vec2 taps[2 * kReach + 2];  // accessibility and reciprocal depth
 
-// Of the pixel that is the `i`th here and lies at `place` of a line that ends at `last`.
-float mean_of(int i, int place, int last) {
-    float w = taps[i + kReach].y;
+// Around taps[i], which lies at `place` of a line that ends at `last`.
+float mean_around(int i, int place, int last) {
+    float w = taps[i].y;
     // Change of reciprocal depth along the direction: the smaller of the two one-sided differences,
     // so that a silhouette on one side does not count as slope.
-    float before = w - taps[i + kReach - 1].y;
-    float after = taps[i + kReach + 1].y - w;
+    float before = w - taps[i - 1].y;
+    float after = taps[i + 1].y - w;
     float slope = abs(before) < abs(after) ? before : after;
     float per_tolerance = 1.0 / (kTolerance * w);
-    float sum = 4.0 * taps[i + kReach].x;
+    float sum = 4.0 * taps[i].x;
     float weights = 4.0;
     for (int j = -kReach; j <= kReach; ++j) {
         if (j == 0) continue;
-        vec2 tap = taps[i + kReach + j];
+        vec2 tap = taps[i + j];
         float distance_px = abs(float(j));
         float off = (tap.y - (w + slope * float(j))) * (per_tolerance / distance_px);
         float weight = (4.0 - distance_px) * max(0.0, 1.0 - off * off);
@@ -53,22 +51,26 @@ float mean_of(int i, int place, int last) {
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
 #ifdef ACROSS
-    int first = kPixels * here.x;
+    int left = 2 * here.x;
     int last = textureSize(t_depth, 0).x - 1;
-    for (int i = 0; i < taps.length(); ++i) {
-        ivec2 at = ivec2(clamp(first + i - kReach, 0, last), here.y);
+    for (int i = 0; i < 2 * kReach + 2; ++i) {
+        ivec2 at = ivec2(clamp(left + i - kReach, 0, last), here.y);
         float depth_m = texelFetch(t_depth, at, 0).r;
         taps[i] = vec2(texelFetch(t_accessibility, at, 0).r, 1.0 / max(depth_m, 1.0e-9));
     }
-    o_packed = vec4(mean_of(0, first, last), taps[kReach].y,  //
-                    mean_of(1, first + 1, last), taps[kReach + 1].y);
+    o_packed = vec4(mean_around(kReach, left, last), taps[kReach].y,
+                    mean_around(kReach + 1, left + 1, last), taps[kReach + 1].y);
 #else
     int last = textureSize(t_packed, 0).y - 1;
-    for (int i = 0; i < taps.length(); ++i) {
+    vec2 right[2 * kReach + 1];
+    for (int i = 0; i < 2 * kReach + 1; ++i) {
         int y = clamp(here.y + i - kReach, 0, last);
-        vec4 two = texelFetch(t_packed, ivec2(here.x >> 1, y), 0);
-        taps[i] = (here.x & 1) == 0 ? two.rg : two.ba;
+        vec4 two = texelFetch(t_packed, ivec2(here.x, y), 0);
+        taps[i] = two.rg;
+        right[i] = two.ba;
     }
-    o_accessibility = mean_of(0, here.y, last);
+    o_accessibility.x = mean_around(kReach, here.y, last);
+    for (int i = 0; i < 2 * kReach + 1; ++i) taps[i] = right[i];
+    o_accessibility.y = mean_around(kReach, here.y, last);
 #endif
 }

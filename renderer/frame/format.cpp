@@ -14,6 +14,7 @@ constexpr Format kFormats[] = {
     {"srgb8_alpha8", 4, GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE},
     {"rg16", 4, GL_RG16, GL_RG, GL_UNSIGNED_SHORT},
     {"r16f", 2, GL_R16F, GL_RED, GL_HALF_FLOAT},
+    {"rg16f", 4, GL_RG16F, GL_RG, GL_HALF_FLOAT},
     {"rgba16f", 8, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT},
     {"r32f", 4, GL_R32F, GL_RED, GL_FLOAT},
     {"rg32f", 8, GL_RG32F, GL_RG, GL_FLOAT},
@@ -23,6 +24,10 @@ constexpr Format kFormats[] = {
 };
 
 }  // namespace
+
+int components_of(const Format& format) {
+    return format.format == GL_RGBA ? 4 : format.format == GL_RG ? 2 : 1;
+}
 
 bool can_be_stored(const Format& format) {
     return format.format != GL_DEPTH_COMPONENT && format.internal != GL_SRGB8_ALPHA8;

@@ -18,6 +18,8 @@ struct Format {
     GLenum type;
 };
 
+[[nodiscard]] int components_of(const Format& format);
+
 /// Whether a shader can store to images of that format (OpenGL 4.5, table 8.26).
 [[nodiscard]] bool can_be_stored(const Format& format);
 

@@ -168,8 +168,33 @@ std::vector<float> Frame::read_accessibility() const {
         1.0F);
 }
 
+std::vector<float> Frame::read_columns(const PlannedTarget& target, int channels) const {
+    const Format& format = format_of(target.format);
+    const auto all = static_cast<std::size_t>(components_of(format));
+    const std::size_t each = all / static_cast<std::size_t>(target.columns);
+    const std::size_t texel_row = all * static_cast<std::size_t>(target.width);
+    const auto height = static_cast<std::size_t>(target.height);
+    std::vector<float> stored(texel_row * height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture(target.name), 0, format.format, GL_FLOAT,
+                      static_cast<GLsizei>(stored.size() * sizeof(float)), stored.data());
+    const auto wanted = static_cast<std::size_t>(channels);
+    const auto row = static_cast<std::size_t>(target.row);
+    std::vector<float> values(row * height * wanted);
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < row; ++x) {
+            for (std::size_t c = 0; c < std::min(wanted, each); ++c) {
+                values[((height - 1 - y) * row + x) * wanted + c] =
+                    stored[y * texel_row + x * each + c];
+            }
+        }
+    }
+    return values;
+}
+
 std::vector<float> Frame::read_components(std::string_view buffer, int channels, int level) const {
     const PlannedTarget& target = planned(buffer);
+    if (target.columns > 1) return read_columns(target, channels);
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const auto row = static_cast<std::size_t>(std::max(1, target.width >> level)) *
                      static_cast<std::size_t>(channels);

@@ -73,6 +73,7 @@ class Frame {
 
   private:
     [[nodiscard]] const PlannedTarget& planned(std::string_view buffer) const;
+    [[nodiscard]] std::vector<float> read_columns(const PlannedTarget& target, int channels) const;
 
     FramePlan plan_;
     std::map<std::string, std::shared_ptr<gl::Texture>, std::less<>> textures_;

@@ -53,6 +53,7 @@ void Renderer::run_composite(Job& job) {
     if (occluded) {
         defines.emplace_back("ACCESSIBILITY");
         defines.push_back(job.samples_define());
+        defines.push_back(job.plan.accessibility_define());
     }
     if (needs.environment) defines.emplace_back("ENVIRONMENT");
     if (needs.direct_light()) defines.emplace_back("DIRECT");

@@ -11,6 +11,7 @@ Renderer::Defines Renderer::lit_surface_defines(const Job& job, bool occluded) {
     if (occluded) {
         defines.emplace_back("ACCESSIBILITY");
         defines.push_back(job.samples_define());
+        defines.push_back(job.plan.accessibility_define());
     }
     return defines;
 }

@@ -31,6 +31,10 @@ std::string FramePlan::final_accessibility() const {
     return (has(Phase::kDenoise) ? Target::kDenoised : Target::kAccessibility).name;
 }
 
+std::string FramePlan::accessibility_define() const {
+    return "ACCESSIBILITY_COLUMNS " + std::to_string(find(final_accessibility())->columns);
+}
+
 bool FramePlan::blended_occlude() const {
     return technique_reads_depth && needs.blended && options.occluding_opacity.has_value();
 }

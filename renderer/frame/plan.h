@@ -20,8 +20,9 @@ namespace obscura::renderer {
 
 /// A buffer with the size that an image gives it.
 struct PlannedTarget : Buffer {
-    int width = 0;
+    int width = 0;  ///< in texels
     int height = 0;
+    int row = 0;            ///< what lies in a row: as the width where a texel holds one column
     std::size_t bytes = 0;  ///< of all levels and layers
 
     bool operator==(const PlannedTarget&) const = default;
@@ -114,6 +115,8 @@ struct FramePlan {
     [[nodiscard]] bool makes_accessibility() const;
     /// The buffer that holds it: `accessibility`, `denoised` or `upsampled`.
     [[nodiscard]] std::string final_accessibility() const;
+    /// What passes/accessibility_texel.glsl has to know of that buffer.
+    [[nodiscard]] std::string accessibility_define() const;
     /// Whether the technique sees nearly opaque blended surfaces.
     [[nodiscard]] bool blended_occlude() const;
     /// Whether normals are stored in a way that the image's own G-buffer has not.

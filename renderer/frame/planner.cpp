@@ -31,6 +31,7 @@ Buffer Planner::in_its_format(Buffer buffer) const {
     if (is_one_of(
             {Target::kAccessibility, Target::kHistory, Target::kDenoised, Target::kUpsampled})) {
         buffer.format = variant.ao_format;
+        if (buffer.columns == 2) buffer.format.insert(1, "g");  // r32f: rg32f
     }
     if (is_one_of({Target::kSeenDepth, Target::kSeenNormal, Target::kSeenPosition,
                    Target::kSeenVisibility, Target::kAccessibility, Target::kHistory,
@@ -52,8 +53,9 @@ const std::string& Planner::add(const Buffer& asked) {
         return std::max(1, static_cast<int>(std::ceil(static_cast<float>(size) * buffer.scale)));
     };
     planned.width = scaled(samples ? plan_.width : plan_.image_width);
-    planned.width = (planned.width + buffer.columns - 1) / buffer.columns;
     planned.height = scaled(samples ? plan_.height : plan_.image_height);
+    planned.row = planned.width;
+    planned.width = (planned.row + buffer.columns - 1) / buffer.columns;
     if (buffer.is(Target::kShadow)) {
         planned.width = planned.height = needs().shadow_size;
         planned.layers = needs().lights;

@@ -65,7 +65,7 @@ void Planner::plan_upsample() {
                     "passes/upsample.frag.glsl",
                     {},
                     Target::kUpsampled.name,
-                    {"STEP " + std::to_string(plan_.ao_step)},
+                    {"STEP " + std::to_string(plan_.ao_step), plan_.accessibility_define()},
                     13,
                     Cover::kAll};
     PlannedPass planned{Phase::kUpsample, step.name, {}, {}, step};
@@ -124,7 +124,7 @@ void Planner::plan_steps(const Recipe& recipe, Phase phase) {
 void Planner::plan_step(const Recipe& recipe, const Step& step, Phase phase, int frame) {
     const Buffer target = written_by(recipe, step);
     const Buffer* own_buffer = recipe.find_buffer(step.writes);
-    const bool smaller = own_buffer != nullptr && own_buffer->scale != 1.0F;
+    const bool smaller = (own_buffer != nullptr && own_buffer->scale != 1.0F) || target.columns > 1;
     if (step.cover == Cover::kSurfaces &&
         (smaller || target.levels > 1 || target.layers > 1 || plan_.makes_colour)) {
         throw base::failure("step \"{}\" covers surfaces only, which \"{}\" does not allow",
@@ -171,7 +171,8 @@ Buffer Planner::written_by(const Recipe& recipe, const Step& step) const {
     if (plan_.makes_colour) {
         if (step.writes == Target::kColour.name) return Target::kColour;
     } else {
-        const Buffer& made = technique ? Target::kAccessibility : Target::kDenoised;
+        Buffer made = technique ? Target::kAccessibility : Target::kDenoised;
+        made.columns = step.columns;
         if (step.writes == made.name) return made;
     }
     throw base::failure(

@@ -9,7 +9,7 @@
 #error the number of samples along a pixel's side must be defined
 #endif
 
-uniform sampler2D t_accessibility;
+#include "passes/accessibility_texel.glsl"
 #if SUPERSAMPLING > 1
 uniform sampler2D t_pixel_depth;    // positive view distance in metres
 #endif
@@ -17,7 +17,7 @@ uniform sampler2D t_pixel_depth;    // positive view distance in metres
 float accessibility_of_sample(ivec2 sampled, float depth_m) {
 #if SUPERSAMPLING > 1
     ivec2 own = sampled / SUPERSAMPLING;
-    ivec2 last = textureSize(t_accessibility, 0) - 1;
+    ivec2 last = textureSize(t_pixel_depth, 0) - 1;
     ivec2 side = 2 * ((2 * (sampled - own * SUPERSAMPLING) + 1) / SUPERSAMPLING) - 1;
     ivec2 nearest = own;
     float least = 1.0e30;
@@ -32,8 +32,8 @@ float accessibility_of_sample(ivec2 sampled, float depth_m) {
             nearest = pixel;
         }
     }
-    return clamp(texelFetch(t_accessibility, nearest, 0).r, 0.0, 1.0);
+    return clamp(accessibility_texel(nearest), 0.0, 1.0);
 #else
-    return clamp(texelFetch(t_accessibility, sampled, 0).r, 0.0, 1.0);
+    return clamp(accessibility_texel(sampled), 0.0, 1.0);
 #endif
 }

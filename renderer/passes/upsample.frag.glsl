@@ -6,7 +6,7 @@
 // none does, the one whose depth is nearest.
 #include "passes/view.glsl"
 
-uniform sampler2D t_accessibility;
+#include "passes/accessibility_texel.glsl"
 uniform sampler2D t_seen_depth;
 layout(location = 0) out float o_accessibility;
 
@@ -30,7 +30,7 @@ void main() {
         return;
     }
     vec2 slopes = vec2(slope(here, w, ivec2(1, 0)), slope(here, w, ivec2(0, 1)));
-    ivec2 last = textureSize(t_accessibility, 0) - 1;
+    ivec2 last = textureSize(t_seen_depth, 0) - 1;
     ivec2 low = here / STEP;
     vec2 part = vec2(here - low * STEP) / float(STEP);
     float sum = 0.0;
@@ -41,7 +41,7 @@ void main() {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 tap = min(low + corner, last);
         vec2 off_px = vec2(tap * STEP - here);
-        float open = texelFetch(t_accessibility, tap, 0).r;
+        float open = accessibility_texel(tap);
         float there = 1.0 / max(texelFetch(t_seen_depth, tap, 0).r, 1.0e-9);
         float off = abs(there - (w + dot(slopes, off_px))) / (kTolerance * w);
         float distance_px = abs(off_px.x) + abs(off_px.y);

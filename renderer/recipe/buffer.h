@@ -22,7 +22,9 @@ struct Buffer {
     float scale = 1.0F;  ///< of width and height, (0, 1], rounded up
     int levels = 1;      ///< mip levels, each half of the one above; at most what the size has
     int layers = 1;      ///< more than one: an array
-    int columns = 1;  ///< of what it is made of, side by side in a texel; its width is rounded up
+    /// Neighbours in a row that share a texel, each with as many of its components; its width is
+    /// rounded up.
+    int columns = 1;
 
     /// A buffer is known by its name.
     operator std::string_view() const { return name; }  // NOLINT(google-explicit-constructor)

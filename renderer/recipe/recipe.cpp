@@ -37,7 +37,8 @@ int fetches_per_pixel(const Recipe& recipe) {
     double sum = 0.0;
     for (const Step& step : recipe.steps) {
         const Buffer* own = recipe.find_buffer(step.writes);
-        const Buffer written = own != nullptr ? *own : Buffer{};
+        Buffer written = own != nullptr ? *own : Buffer{};
+        if (own == nullptr) written.columns = step.columns;
         const int runs = step.frame < 0 ? recipe.frames : 1;
         for (int level = step.first_level; level < step.end_level(written.levels); ++level) {
             const double scale = static_cast<double>(written.scale) * std::pow(0.5, level);

@@ -76,7 +76,10 @@ struct Step {
     Cover cover = Cover::kSurfaces;
     int first_level = 0;  ///< of the levels that it draws
     int levels = 0;       ///< how many of them; 0: to the last
-    int frame = -1;       ///< of the recipe's frames that it is run in; below 0: in each
+    /// Pixels of a row that share a texel of what it writes, where that is the house's: then it
+    /// covers all.
+    int columns = 1;
+    int frame = -1;  ///< of the recipe's frames that it is run in; below 0: in each
     /// In place of a shader: computed on the processor, from buffers that are read back, and
     /// uploaded. It writes a buffer of the image's size in one component. With a shader beside it,
     /// that is run where steps are computed on a GPU (frame/renderer.h).

@@ -226,8 +226,10 @@ void measure_front(const Wanted& options, const MeasureRequest& request,
                     view, frames[i], on_view(options.asked[i].variant, view, study));
                 if (run < 2) continue;
                 times[i].push_back(ms_of(passes));
+                std::size_t step = 0;
                 for (const renderer::PassTime& pass : passes) {
-                    if (is_of_the_variant(pass.phase)) by_step[i][pass.name].push_back(ms_of(pass));
+                    if (!is_of_the_variant(pass.phase)) continue;
+                    by_step[i][fmt::format("{} {}", ++step, pass.name)].push_back(ms_of(pass));
                 }
             }
         }
