@@ -24,6 +24,7 @@ Denoise separable_denoise() {
                      {},
                      kTaps,
                      Cover::kAll}};
+    recipe.steps.front().depth_beside = true;
     recipe.steps.back().columns = 2;
     return {"separable",
             "bilateral in two passes, as Jakobsen 2010 took from Bavoil and Sainz 2009; weights "

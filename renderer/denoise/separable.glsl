@@ -6,7 +6,8 @@
 // of depth is linear in the image on any plane, so a tilted one is smoothed like one that faces the
 // camera. The tolerance is a fraction of the depth, so it scales with the units.
 // Two pixels of a row at once, which share a texel of what is written: what neighbours both read is
-// read once. ACROSS is the first pass: it reads accessibility and depth and hands both on.
+// read once. ACROSS is the first pass: it reads accessibility and depth (DEPTH_BESIDE: which lies beside
+// it, as minus its reciprocal, and 1 where empty) and hands both on.
 #include "passes/shared_constants.h"
 
 const int kReach = 3;            // taps to each side
@@ -14,7 +15,9 @@ const float kTolerance = 0.004;  // of the depth, for each pixel of distance
 
 #ifdef ACROSS
 uniform sampler2D t_accessibility;
+#ifndef DEPTH_BESIDE
 uniform sampler2D t_depth;
+#endif
 layout(location = 0) out vec4 o_packed;  // accessibility and reciprocal depth, twice
 #else
 uniform sampler2D t_packed;
@@ -48,15 +51,25 @@ float mean_around(int i, int place, int last) {
     return w > 1.0 / kBackgroundLimit_m ? min(sum / weights, 1.0) : 1.0;
 }
 
+#ifdef ACROSS
+vec2 tap_at(ivec2 at) {
+#ifdef DEPTH_BESIDE
+    vec2 both = texelFetch(t_accessibility, at, 0).rg;
+    return vec2(both.r, max(-both.g, 1.0 / kBackgroundDepth_m));
+#else
+    float depth_m = texelFetch(t_depth, at, 0).r;
+    return vec2(texelFetch(t_accessibility, at, 0).r, 1.0 / max(depth_m, 1.0e-9));
+#endif
+}
+#endif
+
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
 #ifdef ACROSS
     int left = 2 * here.x;
-    int last = textureSize(t_depth, 0).x - 1;
+    int last = textureSize(t_accessibility, 0).x - 1;
     for (int i = 0; i < 2 * kReach + 2; ++i) {
-        ivec2 at = ivec2(clamp(left + i - kReach, 0, last), here.y);
-        float depth_m = texelFetch(t_depth, at, 0).r;
-        taps[i] = vec2(texelFetch(t_accessibility, at, 0).r, 1.0 / max(depth_m, 1.0e-9));
+        taps[i] = tap_at(ivec2(clamp(left + i - kReach, 0, last), here.y));
     }
     o_packed = vec4(mean_around(kReach, left, last), taps[kReach].y,
                     mean_around(kReach + 1, left + 1, last), taps[kReach + 1].y);

@@ -31,7 +31,9 @@ Buffer Planner::in_its_format(Buffer buffer) const {
     if (is_one_of(
             {Target::kAccessibility, Target::kHistory, Target::kDenoised, Target::kUpsampled})) {
         buffer.format = variant.ao_format;
-        if (buffer.columns == 2) buffer.format.insert(1, "g");  // r32f: rg32f
+        // Two numbers a texel: r32f becomes rg32f.
+        const bool beside = depth_beside_ && buffer.is(Target::kAccessibility);
+        if (buffer.columns == 2 || beside) buffer.format.insert(1, "g");
     }
     if (is_one_of({Target::kSeenDepth, Target::kSeenNormal, Target::kSeenPosition,
                    Target::kSeenVisibility, Target::kAccessibility, Target::kHistory,
@@ -54,8 +56,6 @@ const std::string& Planner::add(const Buffer& asked) {
     };
     planned.width = scaled(samples ? plan_.width : plan_.image_width);
     planned.height = scaled(samples ? plan_.height : plan_.image_height);
-    planned.row = planned.width;
-    planned.width = (planned.row + buffer.columns - 1) / buffer.columns;
     if (buffer.is(Target::kShadow)) {
         planned.width = planned.height = needs().shadow_size;
         planned.layers = needs().lights;
@@ -64,6 +64,8 @@ const std::string& Planner::add(const Buffer& asked) {
         planned.width = planned.height = needs().point_shadow_size;
         planned.layers = 6 * needs().point_lights;
     }
+    planned.row = planned.width;
+    planned.width = (planned.row + buffer.columns - 1) / buffer.columns;
     const int longest = std::max(planned.width, planned.height);
     planned.levels =
         std::min(buffer.levels, static_cast<int>(std::bit_width(static_cast<unsigned>(longest))));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/denoise/denoise.h"
+#include "renderer/denoise/depth_beside.h"
 #include "renderer/frame/plan.h"
 #include "renderer/recipe/normal_format.h"
 #include "renderer/technique/progressive.h"
@@ -23,6 +24,7 @@ class Planner {
           recipe_(recipe_of(technique, variant)),
           filter_(find_denoise(variant.denoise)->recipe),
           accessibility_(technique.makes_accessibility()) {
+        depth_beside_ = lay_depth_beside(variant, recipe_, filter_);
         plan_.width = width * options.supersampling;
         plan_.height = height * options.supersampling;
         plan_.image_width = width;
@@ -101,9 +103,10 @@ class Planner {
 
     const NormalFormat& normal_;
     const Technique& technique_;
-    const Recipe recipe_;
-    const Recipe& filter_;
+    Recipe recipe_;
+    Recipe filter_;
     const bool accessibility_;
+    bool depth_beside_ = false;  ///< the accessibility
     std::vector<Buffer> light_;  ///< that the light pass writes
     FramePlan plan_;
 };

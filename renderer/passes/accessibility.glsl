@@ -7,7 +7,11 @@
 #error the number of samples must be defined
 #endif
 
+#ifdef DEPTH_BESIDE
+layout(location = 0) out vec2 o_accessibility;  // minus the reciprocal of depth beside it
+#else
 layout(location = 0) out float o_accessibility;
+#endif
 
 #ifdef FRAMES_BEFORE
 uniform sampler2D t_history;  // the mean of the frames before
@@ -21,5 +25,9 @@ void main() {
     float before = texelFetch(t_history, ivec2(gl_FragCoord.xy), 0).r;
     open = before + (open - before) * (1.0 / (FRAMES_BEFORE + 1.0));
 #endif
+#ifdef DEPTH_BESIDE
+    o_accessibility = vec2(open, -1.0 / max(z, 1.0e-9));
+#else
     o_accessibility = open;
+#endif
 }

@@ -84,6 +84,9 @@ struct Step {
     /// uploaded. It writes a buffer of the image's size in one component. With a shader beside it,
     /// that is run where steps are computed on a GPU (frame/renderer.h).
     ProcessorStep processor = nullptr;
+    /// It writes accessibility, or as a filter's reads it, also with the depth beside it: where
+    /// DEPTH_BESIDE is defined (denoise/depth_beside.h).
+    bool depth_beside = false;
     bool traces = false;  ///< its shader includes technique/rays.glsl
 
     /// Whether it is run in that frame.

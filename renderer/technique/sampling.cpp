@@ -75,6 +75,7 @@ std::string points_define(const std::vector<glm::vec3>& points) {
 Step accessibility_step(const Variant& variant, const std::string& shader,
                         const std::vector<Read>& reads, int fetches) {
     Step step{"accessibility", shader, reads, Target::kAccessibility.name, {}, fetches};
+    step.depth_beside = true;  // passes/accessibility.glsl does
     const int tile = variant.noise == "tile4x4" ? kTileSize : noise_tile(variant.noise).size;
     step.defines = {"SAMPLES " + std::to_string(samples_of_frame(variant)),
                     "NOISE_SIZE " + std::to_string(tile)};

@@ -11,6 +11,7 @@
 
 #include "renderer/base/nearest.h"
 #include "renderer/denoise/denoise.h"
+#include "renderer/denoise/depth_beside.h"
 #include "renderer/technique/progressive.h"
 #include "renderer/technique/technique.h"
 
@@ -290,8 +291,11 @@ int fetches_per_pixel(const Variant& variant) {
     const Technique* technique = find_technique(variant.technique);
     const Denoise* denoise = find_denoise(variant.denoise);
     if (technique == nullptr || technique->recipe == nullptr) return 0;
-    const int filter = denoise != nullptr ? fetches_per_pixel(denoise->recipe) : 0;
-    return fetches_per_pixel(recipe_of(*technique, variant)) + filter;
+    Recipe recipe = recipe_of(*technique, variant);
+    if (denoise == nullptr) return fetches_per_pixel(recipe);
+    Recipe filter = denoise->recipe;
+    (void)lay_depth_beside(variant, recipe, filter);
+    return fetches_per_pixel(recipe) + fetches_per_pixel(filter);
 }
 
 std::vector<VariantProblem> problems_of(const Variant& variant) {

@@ -236,10 +236,10 @@ std::vector<Fault> all_faults() {
     const char* const separable = "denoise/separable.glsl";
     add("blizzard", "SeparableToleranceOff", separable, "0.004", "0.0042");
     add("blizzard", "SeparableWeightOff", separable, "(4.0 - distance_px)", "(3.9 - distance_px)");
-    add("blizzard", "SeparableDroppedTap", separable, "i == 0", "i == 0 || i == kReach");
+    add("blizzard", "SeparableDroppedTap", separable, "j == 0", "j == 0 || j == kReach");
     add("blizzard", "SeparablePacksDepth", separable, "1.0 / max(depth_m, 1.0e-9)", "depth_m");
     add("blizzard", "SeparableSlopeOfOneSide", separable, "abs(before) < abs(after)", "true");
-    add("blizzard", "SeparableIgnoresSlope", separable, "w + slope * float(i)", "w");
+    add("blizzard", "SeparableIgnoresSlope", separable, "w + slope * float(j)", "w");
     const char* const bilateral = "denoise/bilateral.glsl";
     add("blizzard", "BilateralToleranceOff", bilateral, "0.004", "0.0042");
     add("blizzard", "BilateralWeightOff", bilateral, "(4.0 - abs(float(x)))",
