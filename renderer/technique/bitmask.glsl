@@ -12,8 +12,6 @@ uniform float p_radius_m;
 uniform float p_reach;
 uniform float p_cut_off;
 uniform float p_thickness;
-uniform float p_step_spread;
-uniform float p_power;
 #ifdef LAYER_SHIFT
 uniform sampler2D t_second_depth;
 uniform float p_second_thickness;
@@ -44,7 +42,7 @@ uint hidden_by(Surface p, Slice s, Side side, float distance_px, Sample q, float
     float back = arc(p.facing, side.sign * s.across, max(q.cosine, side.open));
     vec2 ends = side.middle + vec2(front, back) * side.per_arc;
     ends = clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)) + side.jitter, 0.0, kSectors);
-    return lowest(uint(ends.y)) & ~lowest(uint(ends.x));
+    return lowest(uint(int(ends.y))) & ~lowest(uint(int(ends.x)));
 }
 
 // The sectors that the occluders on one side hide.
@@ -72,8 +70,8 @@ uint hidden(Surface p, Slice s, Side side) {
         }
 #else
         Sample q = sample_at(p, s, distance_px);
-        if (!q.seen || q.squared > limit) continue;
-        mask |= hidden_by(p, s, side, distance_px, q, thickness_m);
+        uint found = hidden_by(p, s, side, distance_px, q, thickness_m);
+        mask |= q.seen && q.squared <= limit ? found : 0u;
 #endif
     }
     return mask;

@@ -11,9 +11,9 @@
 uniform float p_radius_m;
 uniform float p_reach;
 uniform float p_falloff;
+#ifndef p_thin_occluder
 uniform float p_thin_occluder;
-uniform float p_step_spread;
-uniform float p_power;
+#endif
 
 const vec2 kSliceTurns[] = FAN_TURNS;
 

@@ -10,9 +10,7 @@
 uniform float p_radius_m;
 uniform float p_reach;
 uniform float p_bias;
-uniform float p_step_spread;
 uniform float p_strength;
-uniform float p_power;
 
 const vec2 kDirectionTurns[] = FAN_TURNS;
 

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "renderer/passes/shared_constants.h"
 #include "renderer/technique/progressive.h"
@@ -20,6 +22,10 @@ Turn turn_by(double angle_rad, double jitter) {
     return {static_cast<float>(std::cos(angle_rad)), static_cast<float>(std::sin(angle_rad)),
             static_cast<float>(jitter)};
 }
+
+/// Values of parameters for which a program that knows them leaves something out.
+const std::map<std::string, std::set<double>> kWorthKnowing{
+    {"power", {1.0, 2.0}}, {"step_spread", {0.0, 1.0, 2.0}}, {"thin_occluder", {0.0}}};
 
 /// The four bits of `i` the other way round.
 int reversed(int i) { return ((i & 1) << 3) | ((i & 2) << 1) | ((i & 4) >> 1) | ((i & 8) >> 3); }
@@ -99,6 +105,13 @@ Recipe fan_recipe(const Variant& variant, const std::string& shader, const Fan& 
     step.defines.push_back(fmt::format("FAN_STEPS {}", fan.steps));
     step.defines.push_back(fmt::format("p_{} {}", slice_steps().name, fan.steps));
     step.defines.push_back(fmt::format("FAN_TURNS vec2[]({})", turns));
+    for (const Parameter& parameter : find_technique(variant.technique)->parameters) {
+        const double value = variant.value_of(parameter);
+        const auto& known = kWorthKnowing.find(parameter.name);
+        if (known != kWorthKnowing.end() && known->second.contains(value)) {
+            step.defines.push_back(fmt::format("p_{} {:.1f}", parameter.name, value));
+        }
+    }
     recipe.steps = {step};
     return recipe;
 }

@@ -8,6 +8,13 @@
 #include "passes/view.glsl"
 #include "passes/normal_codec.glsl"
 
+// A program that is made for one of their values has it as a define.
+#ifndef p_step_spread
+uniform float p_step_spread;
+#endif
+#ifndef p_power
+uniform float p_power;
+#endif
 uniform sampler2D t_normal;
 uniform sampler2D t_turns;  // NOISE_SIZE x NOISE_SIZE: cosine and sine of the first slice, jitter
 
@@ -19,6 +26,7 @@ struct Surface {
     float z;
     vec3 ray;        // z = -1
     float length;    // of the ray
+    float squared_length;
     vec3 n;
     float facing;    // cosine of n against the ray to the camera, at least kLeastCosine
     float pixel;     // view x or y per metre of depth and pixel
@@ -30,7 +38,8 @@ Surface surface_at(vec2 uv, float z) {
     p.px = gl_FragCoord.xy;
     p.z = z;
     p.ray = ray_to(uv, ivec2(gl_FragCoord.xy), z);
-    p.length = sqrt(dot(p.ray, p.ray));
+    p.squared_length = dot(p.ray, p.ray);
+    p.length = sqrt(p.squared_length);
     p.n = decode_normal(texelFetch(t_normal, ivec2(gl_FragCoord.xy), 0).xyz);
     p.facing = max(-dot(p.n, p.ray) / p.length, kLeastCosine);
     p.pixel = 2.0 * u_ray_scale.y / u_size.y;
@@ -69,9 +78,9 @@ struct Sample {
 // Fills in where a point of that depth, `distance_px` along the direction, lies in the slice.
 void place(Surface p, Slice s, float distance_px, inout Sample q) {
     float beside = distance_px * p.pixel * q.there;
-    float with_ray = beside * s.along + q.deeper * p.length * p.length;
+    float with_ray = beside * s.along + q.deeper * p.squared_length;
     q.squared = max(beside * beside + q.deeper * (beside * s.along + with_ray), 1.0e-36);
-    q.cosine = -with_ray / p.length * inversesqrt(q.squared);
+    q.cosine = -with_ray * inversesqrt(q.squared * p.squared_length);
 }
 
 // A texel's surface of depth z, carried over to a place in pixels that lies within it and
@@ -93,18 +102,17 @@ bool in_image(vec2 px) {
 // The surface `distance_px` pixels along the slice's direction; negative on the other side.
 Sample sample_at(Surface p, Slice s, float distance_px) {
     vec2 px = p.px + s.direction * distance_px;
-    if (!in_image(px)) {
-        Sample none;
-        none.seen = false;
-        return none;
-    }
-    ivec2 texel = ivec2(px);
-    return carried(p, s, distance_px, px, texel, texelFetch(t_depth, texel, 0).r);
+    // Without branches: a fetch that isn't used reads P's own texel.
+    bool inside = in_image(px);
+    ivec2 texel = ivec2(inside ? px : p.px);
+    Sample q = carried(p, s, distance_px, px, texel, texelFetch(t_depth, texel, 0).r);
+    q.seen = q.seen && inside;
+    return q;
 }
 
 // How far along a slice sample i of kSteps lies, in pixels; at least 1, so that none is on P.
 float distance_of(int i, float jitter, float radius_px, float spread) {
-    float u = (float(i) + jitter) / float(kSteps);
+    float u = (float(i) + jitter) * (1.0 / float(kSteps));
     float squared = u * mix(1.0, u, min(spread, 1.0));
     return 1.0 + radius_px * squared * mix(1.0, u, max(spread - 1.0, 0.0));
 }

@@ -27,7 +27,7 @@ Bounded power_of(const Bounded& a, const Rounded& power) {
 
 Rounded slice_distance_px(int i, int steps, const Turn& turn, const Rounded& radius_px,
                           const Rounded& spread) {
-    const Rounded u = (Rounded(i) + Rounded(turn.jitter)) / Rounded(steps);
+    const Rounded u = (Rounded(i) + Rounded(turn.jitter)) * nearest_float(1.0 / steps);
     const auto mixed = [&u](const Rounded& share) { return Rounded(1.0) - share + u * share; };
     const Rounded squared = u * mixed(min(spread, Rounded(1.0)));
     return Rounded(1.0) + radius_px * squared * mixed(max(spread - Rounded(1.0), Rounded(0.0)));
@@ -82,7 +82,8 @@ SliceSurface SlicesModel::surface(int x, int y) const {
     p.y = y;
     p.z = Rounded(buffers_.depth_at(x, y));
     p.ray = view_.ray_to(x, y);
-    p.length = sqrt(dot(p.ray, p.ray));
+    p.squared_length = dot(p.ray, p.ray);
+    p.length = sqrt(p.squared_length);
     p.normal = view_.normal(x, y);
     p.facing = max(-(dot(p.normal, p.ray) / p.length), nearest_float(1.0e-3));
     p.pixel = view_.pixel();
@@ -130,10 +131,10 @@ SliceSample SlicesModel::moved(const SliceSurface& p, const SlicePlane& s,
     sample.there = sample.there + farther_m;
     sample.deeper = sample.deeper + farther_m;
     const Rounded beside = distance_px * p.pixel * sample.there;
-    const Rounded with_ray = beside * s.along + sample.deeper * p.length * p.length;
+    const Rounded with_ray = beside * s.along + sample.deeper * p.squared_length;
     sample.squared = max(beside * beside + sample.deeper * (beside * s.along + with_ray),
                          nearest_float(1.0e-36));
-    const Rounded cosine = -(with_ray / p.length) * inverse_sqrt(sample.squared);
+    const Rounded cosine = -with_ray * inverse_sqrt(sample.squared * p.squared_length);
     sample.cosine =
         between(cosine.value, std::max(cosine.low(), -1.0), std::min(cosine.high(), 1.0));
     return sample;

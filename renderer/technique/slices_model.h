@@ -33,6 +33,7 @@ struct SliceSurface {
     Rounded z;
     Rounded3 ray;
     Rounded length;  ///< of the ray
+    Rounded squared_length;
     Rounded3 normal;
     Rounded facing;   ///< cosine of the normal against the ray to the camera
     Rounded pixel;    ///< view x or y per metre of depth and pixel

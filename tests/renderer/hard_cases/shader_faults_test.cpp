@@ -191,8 +191,8 @@ std::vector<Fault> all_faults() {
         add_to("RayWithoutLensShift", "passes/view.glsl", "u_ray_scale + u_ray_offset",
                "u_ray_scale");
         add_to("SlopeIgnored", slices, "clamp(z * dot", "0.0 * clamp(z * dot");
-        add_to("DepthOneTexelOff", slices, "ivec2 texel = ivec2(px)",
-               "ivec2 texel = min(ivec2(px) + ivec2(1, 0), ivec2(u_size) - 1)");
+        add_to("DepthOneTexelOff", slices, "ivec2(inside ? px : p.px)",
+               "min(ivec2(inside ? px : p.px) + ivec2(1, 0), ivec2(u_size) - 1)");
         add_to("SamplesLieOtherwise", slices, "1.0 + radius_px", "1.5 + radius_px");
         add_to("JitterIgnored", slices, "float(i) + jitter", "float(i) + 0.5");
         add_to("DirectionTurnedTheOtherWay", own, "turn.x * by.x - turn.y",
@@ -208,7 +208,7 @@ std::vector<Fault> all_faults() {
     add("bitmask", "ThicknessOnePercentOff", "technique/bitmask.glsl", "* p_thickness",
         "* 1.01 * p_thickness");
     add("bitmask", "CutOffIgnored", "technique/bitmask.glsl", "farthest_m * farthest_m", "1.0e30");
-    add("bitmask", "OneSectorTooMany", "technique/bitmask.glsl", "lowest(uint(ends.y))",
+    add("bitmask", "OneSectorTooMany", "technique/bitmask.glsl", "lowest(uint(int(ends.y)))",
         "lowest(uint(ends.y) + 1u)");
     const char* const hemisphere = "technique/hemisphere.glsl";
     add("hemisphere", "RadiusTwoPercentOff", hemisphere, "point * p_radius_m",
@@ -237,7 +237,7 @@ std::vector<Fault> all_faults() {
     add("blizzard", "SeparableToleranceOff", separable, "0.004", "0.0042");
     add("blizzard", "SeparableWeightOff", separable, "(4.0 - distance_px)", "(3.9 - distance_px)");
     add("blizzard", "SeparableDroppedTap", separable, "j == 0", "j == 0 || j == kReach");
-    add("blizzard", "SeparablePacksDepth", separable, "1.0 / max(depth_m, 1.0e-9)", "depth_m");
+    add("blizzard", "SeparablePacksDepth", separable, "-both.g", "-1.0 / both.g");
     add("blizzard", "SeparableSlopeOfOneSide", separable, "abs(before) < abs(after)", "true");
     add("blizzard", "SeparableIgnoresSlope", separable, "w + slope * float(j)", "w");
     const char* const bilateral = "denoise/bilateral.glsl";
