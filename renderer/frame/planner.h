@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "renderer/denoise/denoise.h"
-#include "renderer/denoise/depth_beside.h"
 #include "renderer/frame/plan.h"
+#include "renderer/recipe/depth_beside.h"
 #include "renderer/recipe/normal_format.h"
 #include "renderer/technique/progressive.h"
 
@@ -24,7 +24,7 @@ class Planner {
           recipe_(recipe_of(technique, variant)),
           filter_(find_denoise(variant.denoise)->recipe),
           accessibility_(technique.makes_accessibility()) {
-        depth_beside_ = lay_depth_beside(variant, recipe_, filter_);
+        depth_beside_ = lay_depth_beside(variant.ao_format, recipe_, filter_);
         plan_.width = width * options.supersampling;
         plan_.height = height * options.supersampling;
         plan_.image_width = width;

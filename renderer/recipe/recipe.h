@@ -85,7 +85,7 @@ struct Step {
     /// that is run where steps are computed on a GPU (frame/renderer.h).
     ProcessorStep processor = nullptr;
     /// It writes accessibility, or as a filter's reads it, also with the depth beside it: where
-    /// DEPTH_BESIDE is defined (denoise/depth_beside.h).
+    /// DEPTH_BESIDE is defined (recipe/depth_beside.h).
     bool depth_beside = false;
     bool traces = false;  ///< its shader includes technique/rays.glsl
 

@@ -11,7 +11,7 @@
 
 #include "renderer/base/nearest.h"
 #include "renderer/denoise/denoise.h"
-#include "renderer/denoise/depth_beside.h"
+#include "renderer/recipe/depth_beside.h"
 #include "renderer/technique/progressive.h"
 #include "renderer/technique/technique.h"
 
@@ -294,7 +294,7 @@ int fetches_per_pixel(const Variant& variant) {
     Recipe recipe = recipe_of(*technique, variant);
     if (denoise == nullptr) return fetches_per_pixel(recipe);
     Recipe filter = denoise->recipe;
-    (void)lay_depth_beside(variant, recipe, filter);
+    (void)lay_depth_beside(variant.ao_format, recipe, filter);
     return fetches_per_pixel(recipe) + fetches_per_pixel(filter);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Obscura authors
 // SPDX-License-Identifier: MIT
-#include "renderer/denoise/depth_beside.h"
+#include "renderer/recipe/depth_beside.h"
 
 #include <algorithm>
 
@@ -20,9 +20,9 @@ bool all_can(const Recipe& recipe, bool (*concerned)(const Step&)) {
 
 }  // namespace
 
-bool lay_depth_beside(const Variant& variant, Recipe& technique, Recipe& filter) {
-    if (variant.ao_format != Target::kAccessibility.format ||
-        !all_can(technique, writes_accessibility) || !all_can(filter, reads_accessibility)) {
+bool lay_depth_beside(std::string_view ao_format, Recipe& technique, Recipe& filter) {
+    if (ao_format != Target::kAccessibility.format || !all_can(technique, writes_accessibility) ||
+        !all_can(filter, reads_accessibility)) {
         return false;
     }
     for (Step& step : technique.steps) {
