@@ -155,6 +155,22 @@ TEST_F(DenoiseTest, EveryFilterKeepsAnEvenBufferAndTheEmptyPixels) {
     }
 }
 
+TEST_F(DenoiseTest, PixelsThatShareATexelAreReadInTheirPlacesAtAnOddWidth) {
+    const Scene scene = corner_scene();
+    const GpuScene gpu(scene);
+    const Frame frame = renderer_.render({gpu, {}, tests::forward_camera()},
+                                         tests::choice_of("blizzard", "separable"), 67, 41);
+    EXPECT_EQ(frame.plan().find("denoise step")->width, 34);
+    EXPECT_EQ(frame.plan().find(Target::kDenoised)->width, 34);
+    const std::vector<float> depth_m = frame.read_floats(Target::kDepth);
+    const std::vector<float> step = frame.read_components("denoise step", 2);
+    ASSERT_EQ(step.size(), 2U * 67U * 41U);
+    for (std::size_t i = 0; i < depth_m.size(); ++i) {
+        ASSERT_NEAR(step[2 * i + 1] * depth_m[i], 1.0F, 1e-6F) << i % 67 << ", " << i / 67;
+    }
+    EXPECT_EQ(frame.read_accessibility().size(), depth_m.size());
+}
+
 TEST_F(DenoiseTest, Box4TakesTheTileAwayFromAFloor) {
     const Frame frame =
         render(corner_scene(), "blizzard", "box4", {{"radius_m", 1.0}, {"power", 8.0}});
