@@ -17,9 +17,9 @@ bool is_taken_over(const Frame& frame, Phase phase) {
 std::string form_of(const PlannedTarget& target) {
     return fmt::format(
         "{} {}x{}{}{}{}", target.format, target.width, target.height,
-        target.columns > 1 ? fmt::format(", {} columns a texel", target.columns) : "",
         target.layers > 1 ? fmt::format("x{}", target.layers) : "",
-        target.levels > 1 ? fmt::format(", {} levels", target.levels) : "");
+        target.levels > 1 ? fmt::format(", {} levels", target.levels) : "",
+        target.columns > 1 ? fmt::format(", {} columns a texel", target.columns) : "");
 }
 
 std::string explanation_of(const Frame& frame, const std::string& known_from) {

@@ -23,7 +23,7 @@ struct Buffer {
     int levels = 1;      ///< mip levels, each half of the one above; at most what the size has
     int layers = 1;      ///< more than one: an array
     /// Neighbours in a row that share a texel, each with as many of its components; its width is
-    /// rounded up.
+    /// rounded up. Of one level and layer.
     int columns = 1;
 
     /// A buffer is known by its name.
@@ -68,7 +68,8 @@ struct Target {
     /// where there is none.
     static inline const Buffer kSecondDepth{"second depth", "r32f"};
     static inline const Buffer kSecondVisibility{"second visibility", "depth24"};
-    /// What the technique wrote, 1 where empty.
+    /// What the technique wrote, 1 where empty; a filter may have depth beside it
+    /// (recipe/depth_beside.h).
     static inline const Buffer kAccessibility{"accessibility", "r32f"};
     /// The accessibility of the frame before, for a recipe of several frames; 1 before the first.
     static inline const Buffer kHistory{"history", "r32f"};
